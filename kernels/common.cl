@@ -1,0 +1,49 @@
+// Comes before every other kernel file: types, the layout of the status buffer, arithmetic that stages share.
+//
+// Bits: state is computed with + - * / sqrt and comparisons alone, uncontracted, so that every device and the plain
+// Java twin of each kernel (package host) end in the same bits.
+#pragma OPENCL FP_CONTRACT OFF
+
+// 1: pair indices need 64 bits (65,537 circles and more). The host sets it from the number of circles.
+#ifndef C2D_WIDE
+#define C2D_WIDE 0
+#endif
+
+// 1: detect fills the thesis' triangle of translation vectors; 0: it lists the contacts alone.
+#ifndef C2D_TRIANGLE
+#define C2D_TRIANGLE 0
+#endif
+
+// Index of a pair in the triangle, and the pair of bounds that a row of it takes.
+#if C2D_WIDE
+typedef ulong c2d_index;
+typedef ulong2 c2d_row;
+#else
+typedef uint c2d_index;
+typedef uint2 c2d_row;
+#endif
+
+// The status buffer, class pipeline.Status: how many contacts the step found, whether they outgrew their buffers (then
+// nothing moves until the host has made room), how many updates have run.
+#define C2D_CONTACTS 0
+#define C2D_STALLED 1
+#define C2D_UPDATES 2
+
+// End of a list of contacts.
+#define C2D_NONE (-1)
+
+// Appends a contact; one that finds the buffers full is counted all the same, so that the host knows what is needed.
+static void c2d_append(int2 pair, float2 translation, __global int2 *contactPair,
+                       __global float2 *contactTranslation, __global uint *status, uint capacity) {
+#if C2D_WIDE
+    // so many circles can meet in more pairs than the counter holds; it stays where it says "too many"
+    if (atomic_add(&status[C2D_CONTACTS], 0u) > (uint)INT_MAX) {
+        return;
+    }
+#endif
+    const uint slot = atomic_inc(&status[C2D_CONTACTS]);
+    if (slot < capacity) {
+        contactPair[slot] = pair;
+        contactTranslation[slot] = translation;
+    }
+}

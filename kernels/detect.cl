@@ -1,0 +1,56 @@
+// Finds the circles that overlap and the vector that parts them (thesis, chapter 4, kernels 2 to 4).
+// One work-item a pair; which pair, the index strategy says.
+
+// A unit vector for two circles with one centre: fixed by their numbers, different for each pair.
+static float2 c2d_direction(int i, int j) {
+    uint h = (uint)i * 0x9E3779B1u ^ (uint)j * 0x85EBCA77u;
+    h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
+    h = (h ^ (h >> 12)) * 0x297A2D39u;
+    h ^= h >> 15;
+    const float x = (float)(h & 0xFFFFu) - 32767.5f;
+    const float y = (float)(h >> 16) - 32767.5f;
+    const float length = sqrt(x * x + y * y);
+    return (float2)(x / length, y / length);
+}
+
+// The minimum translation vector, pointing from i to j; zero where the two do not overlap. Twin of host.Detect.
+static float2 c2d_translation(float4 a, float4 b, int i, int j) {
+    const float dx = b.x - a.x;
+    const float dy = b.y - a.y;
+    const float reach = a.z + b.z;
+    const float square = dx * dx + dy * dy;
+    if (!(square < reach * reach)) {
+        return (float2)(0.0f, 0.0f);
+    }
+    const float distance = sqrt(square);
+    const float depth = reach - distance;
+    if (!(depth > 0.0f)) {
+        return (float2)(0.0f, 0.0f);
+    }
+    const float2 normal = distance > 0.0f ? (float2)(dx / distance, dy / distance) : c2d_direction(i, j);
+    return (float2)(depth * normal.x, depth * normal.y);
+}
+
+// The work-items of a slice of the pairs: first .. first + pairs - 1.
+#if C2D_TRIANGLE
+__kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global const uint *status,
+                         int circles, ulong first, ulong pairs, __global float2 *collision) {
+#else
+__kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global uint *status,
+                         int circles, ulong first, ulong pairs, __global int2 *contactPair,
+                         __global float2 *contactTranslation, uint capacity) {
+#endif
+    const size_t item = get_global_id(0);
+    if (item >= pairs || status[C2D_STALLED] != 0u) {
+        return;
+    }
+    const int2 pair = c2d_pair_at((c2d_index)first + (c2d_index)item, (c2d_index)first, circles, table);
+    const float2 translation = c2d_translation(circle[pair.x], circle[pair.y], pair.x, pair.y);
+#if C2D_TRIANGLE
+    collision[item] = translation;
+#else
+    if (translation.x != 0.0f || translation.y != 0.0f) {
+        c2d_append(pair, translation, contactPair, contactTranslation, status, capacity);
+    }
+#endif
+}

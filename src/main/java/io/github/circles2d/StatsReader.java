@@ -1,0 +1,67 @@
+package io.github.circles2d;
+
+import io.github.circles2d.pipeline.Stages;
+import io.github.circles2d.pipeline.WorldConfig;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+
+/** Computes {@link StepStats} from the host's copy of the circles and the contacts, read a part at a time. */
+final class StatsReader {
+    private static final int CONTACTS = 1 << 14;
+
+    private final Stages stages;
+    private final WorldConfig config;
+    private final IntBuffer pairs = bytes().asIntBuffer();
+    private final FloatBuffer translations = bytes().asFloatBuffer();
+
+    StatsReader(Stages stages, WorldConfig config) {
+        this.stages = stages;
+        this.config = config;
+    }
+
+    private static ByteBuffer bytes() {
+        return ByteBuffer.allocateDirect(8 * CONTACTS).order(ByteOrder.nativeOrder());
+    }
+
+    StepStats read(long steps, long contacts, CircleState state) {
+        double deepest = 0;
+        double sum = 0;
+        for (int from = 0; from < contacts; from += CONTACTS) {
+            int part = (int) Math.min(CONTACTS, contacts - from);
+            stages.contacts(from, part, pairs, translations);
+            for (int k = 0; k < part; k++) {
+                float smaller = Math.min(state.radius(pairs.get(2 * k)), state.radius(pairs.get(2 * k + 1)));
+                double overlap = Math.hypot(translations.get(2 * k), translations.get(2 * k + 1)) / smaller;
+                deepest = Math.max(deepest, overlap);
+                sum += overlap;
+            }
+        }
+        double energy = 0;
+        double momentumX = 0;
+        double momentumY = 0;
+        double fastest = 0;
+        int outside = 0;
+        for (int slot = 0; slot < state.count(); slot++) {
+            double mass = state.mass(slot);
+            double vx = state.vx(slot);
+            double vy = state.vy(slot);
+            energy += mass * (vx * vx + vy * vy) / 2;
+            momentumX += mass * vx;
+            momentumY += mass * vy;
+            fastest = Math.max(fastest, Math.hypot(vx, vy));
+            outside += inside(state.x(slot), state.y(slot), state.radius(slot)) ? 0 : 1;
+        }
+        double mean = contacts == 0 ? 0 : sum / contacts;
+        return new StepStats(steps, contacts, deepest, mean, energy, momentumX, momentumY, fastest, outside);
+    }
+
+    /** In the arithmetic of the walls; NaN is outside. */
+    private boolean inside(float x, float y, float radius) {
+        return x >= config.minX() + radius
+                && x <= config.maxX() - radius
+                && y >= config.minY() + radius
+                && y <= config.maxY() - radius;
+    }
+}

@@ -1,0 +1,25 @@
+package io.github.circles2d;
+
+/**
+ * What the last finished step looked like.
+ *
+ * @param steps steps since the world was built
+ * @param contacts contacts that step found before it resolved them
+ * @param maxOverlap deepest overlap that step found, a fraction of the smaller radius of its two circles; 0 without contacts
+ * @param meanOverlap mean of the same over all contacts; 0 without contacts
+ * @param kineticEnergy sum of m v^2 / 2 after the step, mass x (world units / s)^2
+ * @param momentumX sum of m vx after the step, mass x world units / s
+ * @param momentumY sum of m vy after the step
+ * @param maxSpeed highest speed after the step, world units / s
+ * @param outside circles not wholly inside the bounds after the step; 0 unless the library is broken
+ */
+public record StepStats(
+        long steps,
+        long contacts,
+        double maxOverlap,
+        double meanOverlap,
+        double kineticEnergy,
+        double momentumX,
+        double momentumY,
+        double maxSpeed,
+        int outside) {}

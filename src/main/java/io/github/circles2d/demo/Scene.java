@@ -1,0 +1,81 @@
+package io.github.circles2d.demo;
+
+import io.github.circles2d.CircleDef;
+import io.github.circles2d.Circles2D;
+import java.util.SplittableRandom;
+import java.util.function.BiConsumer;
+
+/**
+ * The worlds that tests, benchmarks and the demo share. A scene of one name and size is the same in every run.
+ *
+ * @param name what {@link #named} knows it by
+ * @param gravityX world units / s^2
+ * @param gravityY world units / s^2
+ * @param restitution 0 to 1
+ * @param circles adds that many circles to a world in the unit square
+ */
+public record Scene(
+        String name, float gravityX, float gravityY, float restitution, BiConsumer<Circles2D, Integer> circles) {
+    private static final long SEED = 2014;
+
+    /** Circles of the thesis' test program; it has no other number. */
+    public static final int THESIS_CIRCLES = 1250;
+
+    /**
+     * The thesis' test program (chapter 5): circles at rest at random places, overlapping, in a weak gravity. Beyond its
+     * 1,250 circles radii shrink so that the circles cover as much of the box as there: 61 % of it (the thesis keeps the
+     * radii, and 15,000 circles cover the box seven times).
+     */
+    public static final Scene THESIS = new Scene("thesis", 0, -0.01f, 0.5f, (world, circles) -> {
+        SplittableRandom random = new SplittableRandom(SEED);
+        float scale = (float) Math.sqrt(Math.min(1.0, (double) THESIS_CIRCLES / Math.max(1, circles)));
+        CircleDef def = new CircleDef();
+        for (int i = 0; i < circles; i++) {
+            def.position(0.1f + 0.8f * (float) random.nextDouble(), 0.1f + 0.8f * (float) random.nextDouble());
+            def.radius(scale * (0.01f + 0.005f * (float) random.nextDouble()));
+            def.mass(1 + 9 * (float) random.nextDouble());
+            world.addCircle(def);
+        }
+    });
+
+    /** Circles flying about without gravity or loss: the energy stays. Placed on a lattice, apart from each other. */
+    public static final Scene GAS = new Scene("gas", 0, 0, 1, (world, circles) -> {
+        SplittableRandom random = new SplittableRandom(SEED);
+        int side = (int) Math.ceil(Math.sqrt(circles));
+        float cell = 1f / Math.max(1, side);
+        CircleDef def = new CircleDef();
+        for (int i = 0; i < circles; i++) {
+            def.position((i % side + 0.5f) * cell, (i / side + 0.5f) * cell);
+            def.radius(cell * (0.2f + 0.1f * (float) random.nextDouble()));
+            def.mass(1 + 9 * (float) random.nextDouble());
+            def.velocity((float) random.nextDouble(-0.2, 0.2), (float) random.nextDouble(-0.2, 0.2));
+            world.addCircle(def);
+        }
+    });
+
+    /** The scene of a name. */
+    public static Scene named(String name) {
+        for (Scene scene : new Scene[] {THESIS, GAS}) {
+            if (scene.name.equals(name)) {
+                return scene;
+            }
+        }
+        throw new IllegalArgumentException("scene = " + name + ": must be thesis or gas");
+    }
+
+    /** A world with this many circles of the scene, from a builder that says where and how it runs. */
+    public Circles2D build(Circles2D.Builder builder, int count) {
+        Circles2D world = builder.gravity(gravityX, gravityY)
+                .restitution(restitution)
+                .bounds(0, 0, 1, 1)
+                .capacity(count)
+                .build();
+        try {
+            circles.accept(world, count);
+            return world;
+        } catch (RuntimeException e) {
+            world.close();
+            throw e;
+        }
+    }
+}

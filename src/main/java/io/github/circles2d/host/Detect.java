@@ -1,0 +1,143 @@
+package io.github.circles2d.host;
+
+import io.github.circles2d.CapacityException;
+import io.github.circles2d.CollisionStore;
+import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.pipeline.Slices;
+import io.github.circles2d.pipeline.WorldConfig;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/** Twin of {@code kernels/detect.cl}: finds the circles that overlap and the vector that parts them. */
+final class Detect {
+    /** Slices of 2^27 pairs: a table of all pairs is then as large as a Java buffer can be. */
+    private static final long PAIRS_PER_SLICE = 1L << 27;
+
+    private final WorldConfig config;
+    private final State state;
+    private final Contacts contacts;
+    private Slices slices = Slices.NONE;
+    private ByteBuffer[] tables = {};
+    /** The thesis' triangle, (x, y) a pair, a slice each; empty for {@link CollisionStore#COMPACT}. */
+    private float[][] collision = {};
+
+    Detect(WorldConfig config, State state, Contacts contacts) {
+        this.config = config;
+        this.state = state;
+        this.contacts = contacts;
+    }
+
+    /** Makes the look-up tables and the triangle for as many circles as there are. */
+    void prepare() {
+        if (slices.circles() == state.circles) {
+            return;
+        }
+        long most = config.pairsPerSlice() > 0 ? config.pairsPerSlice() : PAIRS_PER_SLICE;
+        Slices wanted = Slices.of(state.circles, most);
+        IndexStrategy strategy = config.strategy();
+        slices = Slices.NONE;
+        tables = new ByteBuffer[wanted.count()];
+        collision = new float[wanted.count()][];
+        for (int s = 0; s < wanted.count(); s++) {
+            long bytes = strategy.tableBytes(state.circles, wanted.pairs(s));
+            boolean triangle = config.store() == CollisionStore.TRIANGLE;
+            if (bytes > Integer.MAX_VALUE - 64) {
+                throw new CapacityException("the table of strategy " + strategy.name() + " for " + state.circles
+                        + " circles takes " + bytes + " bytes; plain Java has room for " + (Integer.MAX_VALUE - 64));
+            }
+            try {
+                tables[s] = ByteBuffer.allocate((int) bytes).order(ByteOrder.nativeOrder());
+                collision[s] = new float[triangle ? (int) (2 * wanted.pairs(s)) : 0];
+            } catch (OutOfMemoryError e) {
+                tables = new ByteBuffer[0];
+                collision = new float[0][];
+                throw new CapacityException("no memory for the pairs of " + state.circles + " circles: "
+                        + wanted.count() + " slices of " + (bytes + (triangle ? 8 * wanted.pairs(s) : 0)) + " bytes");
+            }
+            strategy.fillTable(state.circles, wanted.first(s), wanted.pairs(s), tables[s]);
+        }
+        slices = wanted;
+    }
+
+    void run() {
+        boolean triangle = config.store() == CollisionStore.TRIANGLE;
+        for (int s = 0; s < slices.count(); s++) {
+            long first = slices.first(s);
+            for (long pair = first; pair < first + slices.pairs(s); pair++) {
+                long packed = config.strategy().pairAt(pair, first, state.circles, tables[s]);
+                int i = IndexStrategy.first(packed);
+                int j = IndexStrategy.second(packed);
+                if (triangle) {
+                    int at = (int) (2 * (pair - first));
+                    collision[s][at] = 0;
+                    collision[s][at + 1] = 0;
+                }
+                pair(i, j, triangle ? collision[s] : null, (int) (2 * (pair - first)));
+            }
+        }
+    }
+
+    /**
+     * The minimum translation vector, from i to j: as long as the overlap, along the line of centres. Goes to the
+     * triangle if there is one, else to the contacts.
+     */
+    private void pair(int i, int j, float[] triangle, int at) {
+        float[] circle = state.circle;
+        float dx = circle[4 * j] - circle[4 * i];
+        float dy = circle[4 * j + 1] - circle[4 * i + 1];
+        float reach = circle[4 * i + 2] + circle[4 * j + 2];
+        float square = dx * dx + dy * dy;
+        if (!(square < reach * reach)) {
+            return;
+        }
+        float distance = (float) Math.sqrt(square);
+        float depth = reach - distance;
+        if (!(depth > 0)) {
+            return;
+        }
+        float nx;
+        float ny;
+        if (distance > 0) {
+            nx = dx / distance;
+            ny = dy / distance;
+        } else {
+            int h = directionHash(i, j);
+            float hx = (h & 0xFFFF) - 32767.5f;
+            float hy = (h >>> 16) - 32767.5f;
+            float length = (float) Math.sqrt(hx * hx + hy * hy);
+            nx = hx / length;
+            ny = hy / length;
+        }
+        float x = depth * nx;
+        float y = depth * ny;
+        if (triangle != null) {
+            triangle[at] = x;
+            triangle[at + 1] = y;
+        } else if (x != 0 || y != 0) {
+            contacts.append(i, j, x, y);
+        }
+    }
+
+    /** For circles with one centre: their numbers, mixed; the direction is the point (low, high half) seen from the middle. */
+    private static int directionHash(int i, int j) {
+        int h = i * 0x9E3779B1 ^ j * 0x85EBCA77;
+        h = (h ^ h >>> 15) * 0x2C1B3C6D;
+        h = (h ^ h >>> 12) * 0x297A2D39;
+        return h ^ h >>> 15;
+    }
+
+    /** The thesis' second walk over the triangle, {@code c2d_colour_collect}. */
+    void collect() {
+        for (int s = 0; s < slices.count(); s++) {
+            long first = slices.first(s);
+            for (int k = 0; 2 * k < collision[s].length; k++) {
+                float x = collision[s][2 * k];
+                float y = collision[s][2 * k + 1];
+                if (x != 0 || y != 0) {
+                    long packed = config.strategy().pairAt(first + k, first, state.circles, tables[s]);
+                    contacts.append(IndexStrategy.first(packed), IndexStrategy.second(packed), x, y);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,82 @@
+package io.github.circles2d.host;
+
+import io.github.circles2d.pipeline.CellGrid;
+import io.github.circles2d.pipeline.Stages;
+import io.github.circles2d.pipeline.Status;
+import io.github.circles2d.pipeline.WorldConfig;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+
+/** The stages of one world in plain Java. Nothing queues up: every call is done when it returns. */
+public final class HostStages implements Stages {
+    private final WorldConfig config;
+    private final State state = new State();
+    private final Contacts contacts = new Contacts();
+    private final Update update;
+    private final Detect detect;
+    private final Colour colour;
+    private final Resolve resolve;
+    private CellGrid cells;
+
+    public HostStages(WorldConfig config) {
+        this.config = config;
+        update = new Update(config, state, contacts);
+        detect = new Detect(config, state, contacts);
+        colour = new Colour(config, state, contacts, detect);
+        resolve = new Resolve(config, state, contacts);
+    }
+
+    @Override
+    public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
+        state.upload(circle, velocities, circles);
+        detect.prepare();
+        cells = CellGrid.of(config, circles, maxRadius);
+        if (contacts.head.length < cells.cells()) {
+            contacts.head = new int[cells.cells()];
+        }
+    }
+
+    @Override
+    public void download(FloatBuffer circle, FloatBuffer velocities) {
+        state.download(circle, velocities);
+    }
+
+    @Override
+    public void update() {
+        update.run();
+    }
+
+    @Override
+    public void detect() {
+        detect.run();
+    }
+
+    @Override
+    public void colour() {
+        colour.run(cells);
+    }
+
+    @Override
+    public void resolve() {
+        resolve.run(cells);
+    }
+
+    @Override
+    public Status await() {
+        return new Status(contacts.count, false, 0);
+    }
+
+    @Override
+    public void makeRoom(long needed) {
+        throw new IllegalStateException("plain Java makes room at once");
+    }
+
+    @Override
+    public void contacts(int from, int count, IntBuffer pairs, FloatBuffer translations) {
+        pairs.put(0, contacts.pair, 2 * from, 2 * count);
+        translations.put(0, contacts.translation, 2 * from, 2 * count);
+    }
+
+    @Override
+    public void close() {}
+}

@@ -1,0 +1,123 @@
+package io.github.circles2d.opencl;
+
+import io.github.circles2d.CollisionStore;
+import io.github.circles2d.pipeline.Slices;
+import io.github.circles2d.pipeline.Tuning;
+import io.github.circles2d.pipeline.WorldConfig;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Host code of {@code kernels/detect.cl}: finds the circles that overlap. Owns what grows with the pairs, in slices: the
+ * strategy's look-up table and the thesis' triangle {@code collision}.
+ */
+final class Detect {
+    /** A part of the pairs, with the kernels that work on it. */
+    private record Slice(
+            long first, long pairs, DeviceBuffer table, DeviceBuffer collision, Kernel detect, Kernel collect) {
+        void close() {
+            if (collect != null) {
+                collect.close();
+            }
+            detect.close();
+            collision.close();
+            table.close();
+        }
+    }
+
+    private final Session session;
+    private final Program program;
+    private final WorldConfig config;
+    private final boolean triangle;
+    private final List<Slice> slices = new ArrayList<>();
+    private int circles = -1;
+
+    Detect(Session session, Program program, WorldConfig config) {
+        this.session = session;
+        this.program = program;
+        this.config = config;
+        triangle = config.store() == CollisionStore.TRIANGLE;
+    }
+
+    void bind(State state, Contacts contacts, int group) {
+        if (circles != state.circles) {
+            build(state.circles);
+        }
+        for (Slice slice : slices) {
+            Kernel lister = triangle ? slice.collect : slice.detect;
+            if (triangle) {
+                slice.detect.arguments(
+                        state.circle, slice.table, contacts.status, circles, slice.first, slice.pairs, slice.collision);
+            }
+            lister.arguments(
+                    triangle ? slice.collision : state.circle,
+                    slice.table,
+                    contacts.status,
+                    circles,
+                    slice.first,
+                    slice.pairs,
+                    contacts.contactPair,
+                    contacts.contactTranslation,
+                    contacts.capacity());
+            slice.detect.range(slice.pairs, group, Tuning.PAIRS_PER_LAUNCH);
+            lister.range(slice.pairs, group, Tuning.PAIRS_PER_LAUNCH);
+        }
+    }
+
+    private void build(int count) {
+        close();
+        long most = config.pairsPerSlice() > 0 ? config.pairsPerSlice() : mostPairs(count);
+        Slices cut = Slices.of(count, most);
+        try {
+            for (int s = 0; s < cut.count(); s++) {
+                slices.add(build(count, cut.first(s), cut.pairs(s)));
+            }
+        } catch (RuntimeException e) {
+            close();
+            throw e;
+        }
+        circles = count;
+    }
+
+    /** As many pairs as fit one buffer of the triangle or of the table; all of them where there is neither. */
+    private long mostPairs(int count) {
+        long bytes = Math.min(Tuning.SLICE_BYTES, session.device.maxBuffer);
+        boolean tableGrows =
+                config.strategy().tableBytes(count, 2) > config.strategy().tableBytes(count, 1);
+        return triangle || tableGrows ? Math.max(1, bytes / 8) : Long.MAX_VALUE;
+    }
+
+    private Slice build(int count, long first, long pairs) {
+        DeviceBuffer table =
+                new DeviceBuffer(session, "table of " + config.strategy().name());
+        long bytes = config.strategy().tableBytes(count, pairs);
+        table.ensure(bytes);
+        if (bytes > 0) {
+            table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
+        }
+        DeviceBuffer collision = new DeviceBuffer(session, "collision");
+        collision.ensure(triangle ? 8 * pairs : 0);
+        Kernel detect = new Kernel(session, program, "c2d_detect");
+        Kernel collect = triangle ? new Kernel(session, program, "c2d_colour_collect") : null;
+        return new Slice(first, pairs, table, collision, detect, collect);
+    }
+
+    void run() {
+        for (int s = 0; s < slices.size(); s++) {
+            slices.get(s).detect.launch();
+        }
+    }
+
+    /** The thesis' second walk over the triangle; nothing for a compact store. */
+    void collect() {
+        for (int s = 0; triangle && s < slices.size(); s++) {
+            slices.get(s).collect.launch();
+        }
+    }
+
+    private void close() {
+        circles = -1;
+        slices.forEach(Slice::close);
+        slices.clear();
+    }
+}

@@ -1,0 +1,94 @@
+package io.github.circles2d.opencl;
+
+import java.nio.Buffer;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.function.Consumer;
+import org.jocl.CL;
+import org.jocl.Pointer;
+import org.jocl.cl_mem;
+
+/** One buffer of the device: owns its {@code cl_mem}. Named as the kernels name it. */
+final class DeviceBuffer implements AutoCloseable {
+    private final Session session;
+    private final String name;
+    private cl_mem memory;
+    private long bytes;
+
+    /** An empty buffer; the session closes it. */
+    DeviceBuffer(Session session, String name) {
+        this.session = session;
+        this.name = name;
+        session.own(this);
+    }
+
+    /** Makes sure that there are at least {@code wanted} bytes; what was in the buffer may be lost. */
+    void ensure(long wanted) {
+        long needed = Math.max(wanted, 16);
+        if (bytes >= needed) {
+            return;
+        }
+        release();
+        session.book(name, needed);
+        int[] status = new int[1];
+        cl_mem created = session.api.createBuffer(session.context, CL.CL_MEM_READ_WRITE, needed, status);
+        if (status[0] != CL.CL_SUCCESS) {
+            session.unbook(needed);
+        }
+        Cl.checkAllocation("clCreateBuffer", status[0], name, needed);
+        memory = created;
+        bytes = needed;
+    }
+
+    cl_mem memory() {
+        return memory;
+    }
+
+    /** Writes the first {@code count} bytes of a direct buffer. Waits. */
+    void write(Buffer from, long count) {
+        if (count > 0) {
+            Cl.check(
+                    "clEnqueueWriteBuffer",
+                    session.api.enqueueWriteBuffer(session.queue, memory, 0, count, Pointer.to(from)));
+        }
+    }
+
+    /** Reads {@code count} bytes from {@code offset} on into a direct buffer. Waits. */
+    void read(long offset, Buffer to, long count) {
+        if (count > 0) {
+            read(offset, Pointer.to(to), count);
+        }
+    }
+
+    /** As {@link #read(long, Buffer, long)}, into a pointer that the caller keeps: allocates nothing. */
+    void read(long offset, Pointer to, long count) {
+        Cl.check("clEnqueueReadBuffer", session.api.enqueueReadBuffer(session.queue, memory, offset, count, to));
+    }
+
+    /** Lets {@code filler} write the first {@code count} bytes in place, without a copy in Java's memory. Waits. */
+    void fill(long count, Consumer<ByteBuffer> filler) {
+        int[] status = new int[1];
+        ByteBuffer mapped = session.api.enqueueMapBuffer(session.queue, memory, 0, count, status);
+        Cl.checkAllocation("clEnqueueMapBuffer", status[0], name, count);
+        try {
+            filler.accept(mapped.order(ByteOrder.nativeOrder()));
+        } finally {
+            Cl.check("clEnqueueUnmapMemObject", session.api.enqueueUnmapMemObject(session.queue, memory, mapped));
+        }
+    }
+
+    private void release() {
+        if (memory != null) {
+            session.api.releaseMemObject(memory);
+            memory = null;
+            session.unbook(bytes);
+            bytes = 0;
+        }
+    }
+
+    @Override
+    public void close() {
+        session.disown(this);
+        release();
+    }
+}

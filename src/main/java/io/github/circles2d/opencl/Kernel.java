@@ -1,0 +1,97 @@
+package io.github.circles2d.opencl;
+
+import org.jocl.CL;
+import org.jocl.Pointer;
+import org.jocl.Sizeof;
+import org.jocl.cl_kernel;
+
+/**
+ * One launch site: owns a {@code cl_kernel} whose arguments and range are set once, so that a launch costs one call and
+ * allocates nothing.
+ */
+final class Kernel implements AutoCloseable {
+    private final Session session;
+    private final String name;
+    private final cl_kernel kernel;
+    private final int maxGroup;
+    private final long[] offset = new long[1];
+    private final long[] global = new long[1];
+    private final long[] local = new long[1];
+    private long items;
+    private long itemsPerLaunch;
+
+    Kernel(Session session, Program program, String name) {
+        this.session = session;
+        this.name = name;
+        int[] status = new int[1];
+        kernel = session.api.createKernel(program.program(), name, status);
+        Cl.check("clCreateKernel(" + name + ")", status[0]);
+        session.own(this);
+        long[] most = new long[1];
+        Cl.check(
+                "clGetKernelWorkGroupInfo",
+                session.api.getKernelWorkGroupInfo(
+                        kernel, session.device.id, CL.CL_KERNEL_WORK_GROUP_SIZE, Sizeof.size_t, Pointer.to(most)));
+        maxGroup = (int) Math.min(Integer.MAX_VALUE, most[0]);
+    }
+
+    /** Sets every argument, in order: {@link DeviceBuffer}, {@code Integer}, {@code Long}, {@code Float}, {@code float[]} (a vector). */
+    Kernel arguments(Object... values) {
+        for (int i = 0; i < values.length; i++) {
+            Object value = values[i];
+            if (value instanceof DeviceBuffer buffer) {
+                set(i, Sizeof.cl_mem, Pointer.to(buffer.memory()));
+            } else if (value instanceof Integer number) {
+                set(i, Sizeof.cl_int, Pointer.to(new int[] {number}));
+            } else if (value instanceof Long number) {
+                set(i, Sizeof.cl_long, Pointer.to(new long[] {number}));
+            } else if (value instanceof Float number) {
+                set(i, Sizeof.cl_float, Pointer.to(new float[] {number}));
+            } else if (value instanceof float[] vector) {
+                set(i, (long) Sizeof.cl_float * vector.length, Pointer.to(vector));
+            } else {
+                throw new IllegalArgumentException("argument " + i + " of " + name + " = " + value);
+            }
+        }
+        return this;
+    }
+
+    private void set(int index, long size, Pointer value) {
+        Cl.check("clSetKernelArg(" + name + ", " + index + ")", session.api.setKernelArg(kernel, index, size, value));
+    }
+
+    /**
+     * Sets what a launch covers.
+     *
+     * @param count work-items that have work; 0 or more
+     * @param group work-items of a group; less where the kernel allows less
+     */
+    Kernel range(long count, int group) {
+        return range(count, group, Long.MAX_VALUE);
+    }
+
+    /** As {@link #range(long, int)}, in launches of at most {@code perLaunch} work-items. */
+    Kernel range(long count, int group, long perLaunch) {
+        int size = Math.max(1, Math.min(group, maxGroup));
+        local[0] = size;
+        items = (count + size - 1) / size * size;
+        itemsPerLaunch = Math.max(size, perLaunch / size * size);
+        return this;
+    }
+
+    void launch() {
+        for (offset[0] = 0; offset[0] < items; offset[0] += itemsPerLaunch) {
+            global[0] = Math.min(itemsPerLaunch, items - offset[0]);
+            int status = session.api.enqueueNDRangeKernel(session.queue, kernel, offset, global, local);
+            if (status != CL.CL_SUCCESS) {
+                Cl.check("clEnqueueNDRangeKernel(" + name + ")", status);
+            }
+        }
+    }
+
+    @Override
+    public void close() {
+        session.disown(this);
+        session.api.releaseKernel(kernel);
+    }
+}

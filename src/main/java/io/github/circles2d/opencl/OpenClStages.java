@@ -1,0 +1,159 @@
+package io.github.circles2d.opencl;
+
+import io.github.circles2d.CollisionStore;
+import io.github.circles2d.pipeline.CellGrid;
+import io.github.circles2d.pipeline.IndexStrategies;
+import io.github.circles2d.pipeline.Stages;
+import io.github.circles2d.pipeline.Status;
+import io.github.circles2d.pipeline.Tuning;
+import io.github.circles2d.pipeline.WorldConfig;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.List;
+import java.util.Map;
+
+/** The stages of one world on an OpenCL device. Calls queue up, in order. */
+final class OpenClStages implements Stages {
+    private final WorldConfig config;
+    private final Session session;
+    private final State state;
+    private final Contacts contacts;
+    private final int group;
+    private final int smallGroup;
+    private Boolean wide;
+    private Program program;
+    private Update update;
+    private Detect detect;
+    private Colour colour;
+    private Resolve resolve;
+    private CellGrid cells;
+    private boolean closed;
+
+    OpenClStages(OpenClDevice device, WorldConfig config) {
+        this.config = config;
+        boolean gpu = device.isGpu();
+        int suits = gpu ? Tuning.GPU_WORK_GROUP : Tuning.CPU_WORK_GROUP;
+        group = config.workGroup() > 0 ? config.workGroup() : suits;
+        smallGroup = config.workGroup() > 0
+                ? config.workGroup()
+                : gpu ? Tuning.GPU_SMALL_WORLD_GROUP : Tuning.CPU_SMALL_WORLD_GROUP;
+        session = new Session(device);
+        try {
+            state = new State(session);
+            contacts = new Contacts(session);
+            compile(false);
+        } catch (RuntimeException e) {
+            session.close();
+            throw e;
+        }
+    }
+
+    /** Compiles the kernels for pair indices of 32 or 64 bits, unless they are so already. */
+    private void compile(boolean wanted) {
+        if (wide != null && wide == wanted) {
+            return;
+        }
+        Program old = program;
+        program = Program.build(
+                session,
+                Map.of("C2D_WIDE", wanted ? 1 : 0, "C2D_TRIANGLE", config.store() == CollisionStore.TRIANGLE ? 1 : 0),
+                List.of(
+                        Program.file("common.cl"),
+                        Map.entry(
+                                "index_" + config.strategy().name() + ".cl",
+                                config.strategy().kernelSource()),
+                        Program.file("update.cl"),
+                        Program.file("detect.cl"),
+                        Program.file("colour.cl"),
+                        Program.file("resolve.cl")));
+        // kernels of the old program go with the session; a world crosses this line once
+        update = new Update(session, program);
+        detect = new Detect(session, program, config);
+        colour = new Colour(session, program);
+        resolve = new Resolve(session, program);
+        wide = wanted;
+        if (old != null) {
+            old.close();
+        }
+    }
+
+    @Override
+    public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
+        compile(IndexStrategies.wide(circles));
+        state.upload(circle, velocities, circles);
+        cells = CellGrid.of(config, circles, maxRadius);
+        contacts.head.ensure(4L * cells.cells());
+        contacts.ensure((long) Tuning.CONTACTS_PER_CIRCLE * circles + Tuning.FIRST_CONTACTS);
+        bind();
+    }
+
+    private void bind() {
+        update.bind(config, state, contacts, cells, group);
+        detect.bind(state, contacts, group);
+        colour.bind(state, contacts, cells, group);
+        resolve.bind(config, state, contacts, cells, group, smallGroup);
+    }
+
+    @Override
+    public void download(FloatBuffer circle, FloatBuffer velocities) {
+        state.download(circle, velocities);
+    }
+
+    @Override
+    public void update() {
+        update.run();
+    }
+
+    @Override
+    public void detect() {
+        detect.run();
+    }
+
+    private boolean small() {
+        return state.circles <= config.smallWorld();
+    }
+
+    /** In a small world, one work-group does this together with resolve. */
+    @Override
+    public void colour() {
+        detect.collect();
+        if (!small()) {
+            colour.run();
+        }
+    }
+
+    @Override
+    public void resolve() {
+        if (small()) {
+            resolve.runSmall();
+        } else {
+            resolve.run();
+        }
+        session.flush();
+    }
+
+    @Override
+    public Status await() {
+        return contacts.await();
+    }
+
+    @Override
+    public void makeRoom(long needed) {
+        contacts.makeRoom(needed);
+        bind();
+    }
+
+    @Override
+    public void contacts(int from, int count, IntBuffer pairs, FloatBuffer translations) {
+        contacts.contactPair.read(8L * from, pairs, 8L * count);
+        contacts.contactTranslation.read(8L * from, translations, 8L * count);
+    }
+
+    @Override
+    public void close() {
+        if (!closed) {
+            closed = true;
+            session.close();
+        }
+    }
+}

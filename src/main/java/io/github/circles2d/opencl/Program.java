@@ -1,0 +1,80 @@
+package io.github.circles2d.opencl;
+
+import io.github.circles2d.KernelBuildException;
+import io.github.circles2d.pipeline.KernelSources;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.jocl.CL;
+import org.jocl.cl_program;
+
+/** A program made from kernel files: owns its {@code cl_program}. */
+final class Program implements AutoCloseable {
+    private static final String OPTIONS = "-cl-std=CL1.2";
+    private static final String ROUNDED = " -cl-fp32-correctly-rounded-divide-sqrt";
+
+    private final Session session;
+    private final cl_program program;
+
+    private Program(Session session, cl_program program) {
+        this.session = session;
+        this.program = program;
+        session.own(this);
+    }
+
+    /**
+     * Compiles files of {@code kernels/} and other sources, in the order given.
+     *
+     * @param defines macros that go before everything
+     * @param sources the text of each part by its file name, which the compiler's messages use
+     * @throws KernelBuildException if they do not compile
+     */
+    static Program build(Session session, Map<String, Integer> defines, List<Map.Entry<String, String>> sources) {
+        List<String> parts = new ArrayList<>();
+        StringBuilder head = new StringBuilder();
+        defines.forEach((name, value) ->
+                head.append("#define ").append(name).append(' ').append(value).append('\n'));
+        parts.add(head.toString());
+        sources.forEach(source -> parts.add("#line 1 \"" + source.getKey() + "\"\n" + source.getValue() + "\n"));
+        int[] status = new int[1];
+        cl_program created = session.api.createProgramWithSource(session.context, parts.toArray(String[]::new), status);
+        Cl.check("clCreateProgramWithSource", status[0]);
+        Program program = new Program(session, created);
+        try {
+            program.build();
+        } catch (RuntimeException e) {
+            program.close();
+            throw e;
+        }
+        return program;
+    }
+
+    /** A file of {@code kernels/}, to be compiled. */
+    static Map.Entry<String, String> file(String name) {
+        return Map.entry(name, KernelSources.read(name));
+    }
+
+    private void build() {
+        OpenClDevice device = session.device;
+        String options =
+                OPTIONS + (device.correctlyRounded ? ROUNDED : "") + System.getProperty("circles2d.buildOptions", "");
+        int status = session.api.buildProgram(program, device.id, options);
+        if (status == CL.CL_BUILD_PROGRAM_FAILURE) {
+            String log = OpenClDevices.text(
+                    "clGetProgramBuildInfo",
+                    (n, p, m) -> session.api.getProgramBuildInfo(program, device.id, CL.CL_PROGRAM_BUILD_LOG, n, p, m));
+            throw new KernelBuildException(device.name(), options, log);
+        }
+        Cl.check("clBuildProgram", status);
+    }
+
+    cl_program program() {
+        return program;
+    }
+
+    @Override
+    public void close() {
+        session.disown(this);
+        session.api.releaseProgram(program);
+    }
+}

@@ -1,0 +1,31 @@
+package io.github.circles2d.pipeline;
+
+import io.github.circles2d.IndexStrategy;
+
+/**
+ * The pairs of a world cut into slices, each small enough for one buffer.
+ *
+ * @param circles number of circles the pairs are of; -1 for {@link #NONE}
+ * @param most pairs of every slice but the last
+ * @param count number of slices
+ */
+public record Slices(int circles, long most, int count) {
+    /** Before the first circle. */
+    public static final Slices NONE = new Slices(-1, 1, 0);
+
+    /** Slices of at most {@code most} pairs. */
+    public static Slices of(int circles, long most) {
+        long pairs = IndexStrategy.pairs(circles);
+        return new Slices(circles, most, Math.toIntExact(pairs / most + (pairs % most > 0 ? 1 : 0)));
+    }
+
+    /** First pair of a slice. */
+    public long first(int slice) {
+        return slice * most;
+    }
+
+    /** Number of pairs of a slice. */
+    public long pairs(int slice) {
+        return Math.min(most, IndexStrategy.pairs(circles) - first(slice));
+    }
+}

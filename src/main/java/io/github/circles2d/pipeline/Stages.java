@@ -1,0 +1,52 @@
+package io.github.circles2d.pipeline;
+
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+
+/**
+ * The stages of a step on one device, and the state they work on. {@link Pipeline} calls them in order; calls may
+ * return before the device is done, save those that say they wait. Not thread-safe.
+ */
+public interface Stages extends AutoCloseable {
+    /**
+     * Replaces the whole state. Waits.
+     *
+     * @param circle (x, y, radius, mass) a circle, world units; direct, native order, read from 0
+     * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
+     * @param maxRadius largest radius among them, world units
+     */
+    void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius);
+
+    /** Reads the whole state into the buffers of {@link #upload}. Waits. */
+    void download(FloatBuffer circle, FloatBuffer velocities);
+
+    /** Integrates velocities and positions, walls included; empties the contacts. */
+    void update();
+
+    /** Finds the contacts. */
+    void detect();
+
+    /** Puts the contacts in the order of the cells and colours. */
+    void colour();
+
+    /** Moves circles apart and exchanges impulses. */
+    void resolve();
+
+    /** Waits for everything and says how far it went. */
+    Status await();
+
+    /** Makes room for the contacts of a step that stalled, and readies the device to detect it again. */
+    void makeRoom(long contacts);
+
+    /**
+     * Reads contacts {@code from .. from + count - 1} of the last step, in the order they were found in. Waits.
+     *
+     * @param pairs the numbers (i, j) of the two circles, i < j; direct, native order, written from 0
+     * @param translations the vector (x, y) that parts them, from i to j, world units; direct, native order
+     */
+    void contacts(int from, int count, IntBuffer pairs, FloatBuffer translations);
+
+    /** Releases everything the stages own. Idempotent. */
+    @Override
+    void close();
+}

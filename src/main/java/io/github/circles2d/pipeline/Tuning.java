@@ -1,0 +1,80 @@
+package io.github.circles2d.pipeline;
+
+/** Every tuning constant and every limit of the library, each with its unit and range. */
+public final class Tuning {
+    /** Largest coordinate of the bounds, world units: squares of distances stay far from overflow. */
+    public static final float MAX_COORDINATE = 1e9f;
+
+    /** Radii, world units: squares of overlaps stay far from underflow. */
+    public static final float MIN_RADIUS = 1e-9f;
+
+    public static final float MAX_RADIUS = 1e9f;
+
+    /** Masses, in any unit: a chain of collisions from the heaviest to the lightest stays finite. */
+    public static final float MIN_MASS = 1e-9f;
+
+    public static final float MAX_MASS = 1e9f;
+
+    /** Largest component of a velocity that a caller may set, world units a second. */
+    public static final float MAX_SPEED = 1e9f;
+
+    /** Largest component of gravity, world units / s^2. */
+    public static final float MAX_GRAVITY = 1e9f;
+
+    /** Time steps, seconds. Usual: 1/240 to 1/30. */
+    public static final float MIN_TIME_STEP = 1e-9f;
+
+    public static final float MAX_TIME_STEP = 1e3f;
+
+    /** Most circles of one world: what fits the largest direct buffer of Java, 16 bytes a circle. */
+    public static final int MAX_CIRCLES = (Integer.MAX_VALUE - 64) / 16;
+
+    /** Room for circles that a world starts with when no capacity is named, circles. Any value > 0. */
+    public static final int FIRST_CIRCLES = 256;
+
+    /** Room for contacts that a world starts with, contacts a circle. 2 to 8: a dense pile has 2 to 3. */
+    public static final int CONTACTS_PER_CIRCLE = 4;
+
+    /** Room for contacts added to that, contacts: small worlds can start in one heap. */
+    public static final int FIRST_CONTACTS = 1024;
+
+    /** How far buffers grow beyond what is needed, a factor. 1.1 to 2. */
+    public static final double GROWTH = 1.5;
+
+    /**
+     * How much wider a cell is than the largest circle, a fraction. At {@link #MAX_CELLS_PER_AXIS} cells the rounding
+     * of two cell coordinates stays below a half of it, so circles that touch always lie in neighbouring cells.
+     */
+    public static final float CELL_MARGIN = 1f / 64;
+
+    /** Most cells along one axis. At most 2^14: see {@link #CELL_MARGIN}. */
+    public static final int MAX_CELLS_PER_AXIS = 1 << 14;
+
+    /** Most cells for each circle, so that memory grows with the circles and not with the area. 1 to 8. */
+    public static final int CELLS_PER_CIRCLE = 2;
+
+    /** Most pairs of one launch: a driver's watchdog allows some seconds, this takes milliseconds. 2^20 to 2^30. */
+    public static final long PAIRS_PER_LAUNCH = 1L << 28;
+
+    /** Largest single buffer of the triangle or of a look-up table, bytes. 2^20 to 2^30. */
+    public static final long SLICE_BYTES = 1L << 30;
+
+    /** Steps that may wait in the queue before the caller waits for them, steps. 8 to 256. */
+    public static final int STEPS_IN_FLIGHT = 64;
+
+    /** Work-items of a group, on a GPU and on a CPU. Powers of two, 32 to 1,024. */
+    public static final int GPU_WORK_GROUP = 256;
+
+    public static final int CPU_WORK_GROUP = 256;
+
+    /** Work-items of the one group that colours and resolves a small world, on a GPU. 64 to 1,024. */
+    public static final int GPU_SMALL_WORLD_GROUP = 512;
+
+    /** The same on a CPU, where one work-item after the other runs anyway. */
+    public static final int CPU_SMALL_WORLD_GROUP = 1;
+
+    /** Largest world, in circles, that one work-group colours and resolves. 0 (never) to some ten thousand. */
+    public static final int SMALL_WORLD = 4096;
+
+    private Tuning() {}
+}

@@ -1,0 +1,49 @@
+package io.github.circles2d.pipeline;
+
+import io.github.circles2d.CollisionStore;
+import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.Solver;
+
+/**
+ * What a world is built from; fixed for its life. Units as in {@code Circles2D.Builder}.
+ *
+ * @param workGroup work-items of a group, 0 for what suits the device
+ * @param pairsPerSlice most pairs that share one buffer of the triangle or of a table, 0 for what the device allows
+ * @param smallWorld largest world, in circles, that is coloured and resolved by one work-group
+ */
+public record WorldConfig(
+        float timeStep,
+        float gravityX,
+        float gravityY,
+        float restitution,
+        float minX,
+        float minY,
+        float maxX,
+        float maxY,
+        IndexStrategy strategy,
+        CollisionStore store,
+        Solver solver,
+        int workGroup,
+        long pairsPerSlice,
+        int smallWorld) {
+
+    /** What gravity adds to a velocity in one step, world units a second. */
+    public float velocityGainX() {
+        return gravityX * timeStep;
+    }
+
+    /** See {@link #velocityGainX()}. */
+    public float velocityGainY() {
+        return gravityY * timeStep;
+    }
+
+    /** How far gravity alone moves a circle at rest in one step, world units: g t^2 / 2 (thesis, chapter 3). */
+    public float fallX() {
+        return 0.5f * gravityX * timeStep * timeStep;
+    }
+
+    /** See {@link #fallX()}. */
+    public float fallY() {
+        return 0.5f * gravityY * timeStep * timeStep;
+    }
+}
