@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.pipeline.IndexStrategies;
 import java.nio.ByteBuffer;
+import java.util.List;
 
 /**
  * How a work-item finds its pair of circles (thesis, chapter 4, "MTV buffer design").
@@ -97,5 +98,23 @@ public interface IndexStrategy {
     /** The triangle folded into a rectangle: one integer division, no table, no root. The default. */
     static IndexStrategy folded() {
         return IndexStrategies.FOLDED;
+    }
+
+    /** The built-in strategies, the default last. */
+    static List<IndexStrategy> builtIn() {
+        return List.of(formula(), pairTable(), rowSearch(), folded());
+    }
+
+    /**
+     * The built-in strategy of a name.
+     *
+     * @throws IllegalArgumentException if there is none; the message lists them
+     */
+    static IndexStrategy named(String name) {
+        return builtIn().stream()
+                .filter(strategy -> strategy.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("strategy = " + name + ": must be one of "
+                        + builtIn().stream().map(IndexStrategy::name).toList()));
     }
 }
