@@ -1,9 +1,10 @@
 // Puts the step's contacts in an order that needs no locks.
 //
-// A contact belongs to the lower (y, then x) of the cells of its two circles. A cell is as wide as the largest circle, so the
+// A contact belongs to the lower (y, then x) of the cells of its two circles. A cell is wider than the largest circle, so the
 // contacts of owner cell (x, y) touch circles of the cells x-1..x+1, y..y+1 alone: owners that agree in x mod 3 and in
 // y mod 2 share no circle. Six colours, free of conflicts by construction (design after Bullet's spatial batches).
-// Within a cell contacts are sorted by the numbers of their circles: the order of the list they came in is lost.
+// Contacts are sorted by owner cell, and within it by the numbers of their circles: a counting sort, then ranks. The order
+// they were found in leaves no trace.
 
 // The cells: low corner, cells a world unit, columns and rows. Twin of pipeline.CellGrid.
 static int2 c2d_cell(float2 position, float2 corner, float perUnit, int columns, int rows) {
@@ -12,17 +13,76 @@ static int2 c2d_cell(float2 position, float2 corner, float perUnit, int columns,
     return (int2)(clamp(x, 0, columns - 1), clamp(y, 0, rows - 1));
 }
 
-static int c2d_owner(float2 a, float2 b, float2 corner, float perUnit, int columns, int rows) {
-    const int2 p = c2d_cell(a, corner, perUnit, columns, rows);
-    const int2 q = c2d_cell(b, corner, perUnit, columns, rows);
+// What the stage knows of the cells, in the order in which the kernels take it.
+#define C2D_CELLS __global const float4 *circle, float2 corner, float perUnit, int columns, int rows
+
+static int c2d_owner(int4 contact, C2D_CELLS) {
+    const int2 p = c2d_cell(circle[contact.x].xy, corner, perUnit, columns, rows);
+    const int2 q = c2d_cell(circle[contact.y].xy, corner, perUnit, columns, rows);
     return min(p.y * columns + p.x, q.y * columns + q.x);
+}
+
+// Step 1, a contact: counts the contacts of each cell into cellStart.
+static void c2d_count(uint k, C2D_CELLS, __global const int4 *found, __global int *cellStart) {
+    atomic_inc(&cellStart[c2d_owner(found[k], circle, corner, perUnit, columns, rows)]);
+}
+
+// Step 2, all work-items of one group: turns counts into the place one past the last contact of each cell.
+static void c2d_scan(__global int *cellStart, int cells, __local int *sums) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
+    const int part = (cells + items - 1) / items;
+    const int first = min(item * part, cells);
+    const int end = min(first + part, cells);
+    int own = 0;
+    for (int cell = first; cell < end; cell++) {
+        own += cellStart[cell];
+    }
+    sums[item] = own;
+    for (int step = 1; step < items; step *= 2) {
+        barrier(CLK_LOCAL_MEM_FENCE);
+        const int before = item >= step ? sums[item - step] : 0;
+        barrier(CLK_LOCAL_MEM_FENCE);
+        sums[item] += before;
+    }
+    int last = sums[item] - own;
+    for (int cell = first; cell < end; cell++) {
+        last += cellStart[cell];
+        cellStart[cell] = last;
+    }
+}
+
+// Step 3, a contact: takes the last free place of its cell, which leaves cellStart at the first.
+static void c2d_scatter(uint k, C2D_CELLS, __global const int4 *found, __global int *cellStart,
+                        __global int4 *byCell) {
+    const int4 own = found[k];
+    byCell[atomic_dec(&cellStart[c2d_owner(own, circle, corner, perUnit, columns, rows)]) - 1] = own;
+}
+
+// One past the last contact of a cell.
+static int c2d_cell_end(int cell, int columns, int rows, __global const int *cellStart, uint contacts) {
+    return cell + 1 < columns * rows ? cellStart[cell + 1] : (int)contacts;
+}
+
+// Step 4, a contact: sorts the contacts of a cell by the numbers of their circles.
+static void c2d_rank(uint k, C2D_CELLS, __global const int4 *byCell, __global const int *cellStart, uint contacts,
+                     __global int4 *contact) {
+    const int4 own = byCell[k];
+    const int cell = c2d_owner(own, circle, corner, perUnit, columns, rows);
+    const int start = cellStart[cell];
+    const int end = c2d_cell_end(cell, columns, rows, cellStart, contacts);
+    int place = start;
+    for (int other = start; other < end; other++) {
+        const int4 one = byCell[other];
+        place += one.x < own.x || (one.x == own.x && one.y < own.y) ? 1 : 0;
+    }
+    contact[place] = own;
 }
 
 #if C2D_TRIANGLE
 // The thesis' second walk over the triangle: one work-item a pair, which finds its circles again where they overlap.
 __kernel void c2d_colour_collect(__global const float2 *collision, __global const int2 *table, __global uint *status,
-                                 int circles, ulong first, ulong pairs, __global int2 *contactPair,
-                                 __global float2 *contactTranslation, uint capacity) {
+                                 int circles, ulong first, ulong pairs, __global int4 *found, uint capacity) {
     const size_t item = get_global_id(0);
     if (item >= pairs || status[C2D_STALLED] != 0u) {
         return;
@@ -30,70 +90,16 @@ __kernel void c2d_colour_collect(__global const float2 *collision, __global cons
     const float2 translation = collision[item];
     if (translation.x != 0.0f || translation.y != 0.0f) {
         const int2 pair = c2d_pair_at((c2d_index)first + (c2d_index)item, (c2d_index)first, circles, table);
-        c2d_append(pair, translation, contactPair, contactTranslation, status, capacity);
+        c2d_append(pair, translation, found, status, capacity);
     }
 }
 #endif
 
-// Hangs contact k into the list of its owner cell.
-static void c2d_link(int k, __global const float4 *circle, __global const int2 *contactPair, __global int *next,
-                     __global int *head, float2 corner, float perUnit, int columns, int rows) {
-    const int2 pair = contactPair[k];
-    const int cell = c2d_owner(circle[pair.x].xy, circle[pair.y].xy, corner, perUnit, columns, rows);
-    next[k] = atomic_xchg(&head[cell], k);
-}
+// In a large world each step is a launch. One work-item a contact, going round where contacts are more.
 
-static bool c2d_before(int2 a, int2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); }
-
-// Sorts a list of contacts by the numbers of their circles: merges runs of 1, 2, 4, ... Twin of host.Colour.sorted.
-static int c2d_sorted(int head, __global const int2 *contactPair, __global int *next) {
-    for (int run = 1;; run *= 2) {
-        int rest = head;
-        int tail = C2D_NONE;
-        int merges = 0;
-        while (rest != C2D_NONE) {
-            merges++;
-            int left = rest;
-            int right = rest;
-            int lefts = 0;
-            while (lefts < run && right != C2D_NONE) {
-                right = next[right];
-                lefts++;
-            }
-            int rights = run;
-            while (lefts > 0 || (rights > 0 && right != C2D_NONE)) {
-                const bool fromRight = rights > 0 && right != C2D_NONE
-                        && (lefts == 0 || c2d_before(contactPair[right], contactPair[left]));
-                const int least = fromRight ? right : left;
-                if (fromRight) {
-                    right = next[right];
-                    rights--;
-                } else {
-                    left = next[left];
-                    lefts--;
-                }
-                if (tail == C2D_NONE) {
-                    head = least;
-                } else {
-                    next[tail] = least;
-                }
-                tail = least;
-            }
-            rest = right;
-        }
-        if (tail != C2D_NONE) {
-            next[tail] = C2D_NONE;
-        }
-        if (merges <= 1) {
-            return head;
-        }
-    }
-}
-
-// One work-item a contact, as many rounds as the contacts need. The one place that stalls a step.
-__kernel void c2d_colour_link(__global const float4 *circle, __global const int2 *contactPair, __global int *next,
-                              __global int *head, __global uint *status, uint capacity, float2 corner, float perUnit,
-                              int columns, int rows) {
+// Step 1, and the one place that stalls a step.
+__kernel void c2d_colour_count(C2D_CELLS, __global const int4 *found, __global int *cellStart, __global uint *status,
+                               uint capacity) {
     const uint contacts = status[C2D_CONTACTS];
     if (contacts > capacity) {
         if (get_global_id(0) == 0) {
@@ -102,15 +108,29 @@ __kernel void c2d_colour_link(__global const float4 *circle, __global const int2
         return;
     }
     for (uint k = (uint)get_global_id(0); k < contacts; k += (uint)get_global_size(0)) {
-        c2d_link((int)k, circle, contactPair, next, head, corner, perUnit, columns, rows);
+        c2d_count(k, circle, corner, perUnit, columns, rows, found, cellStart);
     }
 }
 
-// One work-item a cell.
-__kernel void c2d_colour_sort(__global const int2 *contactPair, __global int *next, __global int *head,
-                              __global const uint *status, int cells) {
-    const int cell = (int)get_global_id(0);
-    if (cell < cells && status[C2D_STALLED] == 0u) {
-        head[cell] = c2d_sorted(head[cell], contactPair, next);
+// Step 2. One work-group.
+__kernel void c2d_colour_scan(__global int *cellStart, __global const uint *status, int cells, __local int *sums) {
+    c2d_scan(cellStart, status[C2D_STALLED] != 0u ? 0 : cells, sums);
+}
+
+// Step 3.
+__kernel void c2d_colour_scatter(C2D_CELLS, __global const int4 *found, __global int *cellStart,
+                                 __global const uint *status, __global int4 *byCell) {
+    const uint contacts = status[C2D_STALLED] != 0u ? 0u : status[C2D_CONTACTS];
+    for (uint k = (uint)get_global_id(0); k < contacts; k += (uint)get_global_size(0)) {
+        c2d_scatter(k, circle, corner, perUnit, columns, rows, found, cellStart, byCell);
+    }
+}
+
+// Step 4.
+__kernel void c2d_colour_rank(C2D_CELLS, __global const int4 *byCell, __global const int *cellStart,
+                              __global const uint *status, __global int4 *contact) {
+    const uint contacts = status[C2D_STALLED] != 0u ? 0u : status[C2D_CONTACTS];
+    for (uint k = (uint)get_global_id(0); k < contacts; k += (uint)get_global_size(0)) {
+        c2d_rank(k, circle, corner, perUnit, columns, rows, byCell, cellStart, contacts, contact);
     }
 }

@@ -29,12 +29,11 @@ typedef uint2 c2d_row;
 #define C2D_STALLED 1
 #define C2D_UPDATES 2
 
-// End of a list of contacts.
-#define C2D_NONE (-1)
+// A contact is an int4: the numbers i < j of its circles, and the bits of the translation vector from i to j.
+static float2 c2d_translation_of(int4 contact) { return (float2)(as_float(contact.z), as_float(contact.w)); }
 
-// Appends a contact; one that finds the buffers full is counted all the same, so that the host knows what is needed.
-static void c2d_append(int2 pair, float2 translation, __global int2 *contactPair,
-                       __global float2 *contactTranslation, __global uint *status, uint capacity) {
+// Appends a contact; one that finds the buffer full is counted all the same, so that the host knows what is needed.
+static void c2d_append(int2 pair, float2 translation, __global int4 *found, __global uint *status, uint capacity) {
 #if C2D_WIDE
     // so many circles can meet in more pairs than the counter holds; it stays where it says "too many"
     if (atomic_add(&status[C2D_CONTACTS], 0u) > (uint)INT_MAX) {
@@ -43,7 +42,6 @@ static void c2d_append(int2 pair, float2 translation, __global int2 *contactPair
 #endif
     const uint slot = atomic_inc(&status[C2D_CONTACTS]);
     if (slot < capacity) {
-        contactPair[slot] = pair;
-        contactTranslation[slot] = translation;
+        found[slot] = (int4)(pair.x, pair.y, as_int(translation.x), as_int(translation.y));
     }
 }

@@ -37,8 +37,7 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
                          int circles, ulong first, ulong pairs, __global float2 *collision) {
 #else
 __kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global uint *status,
-                         int circles, ulong first, ulong pairs, __global int2 *contactPair,
-                         __global float2 *contactTranslation, uint capacity) {
+                         int circles, ulong first, ulong pairs, __global int4 *found, uint capacity) {
 #endif
     const size_t item = get_global_id(0);
     if (item >= pairs || status[C2D_STALLED] != 0u) {
@@ -50,7 +49,7 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
     collision[item] = translation;
 #else
     if (translation.x != 0.0f || translation.y != 0.0f) {
-        c2d_append(pair, translation, contactPair, contactTranslation, status, capacity);
+        c2d_append(pair, translation, found, status, capacity);
     }
 #endif
 }

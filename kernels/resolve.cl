@@ -8,8 +8,9 @@ static float c2d_within(float position, float lo, float hi) {
 }
 
 // Twin of host.Resolve.contact, where the rule is explained.
-static void c2d_resolve_contact(int2 pair, float2 translation, __global float4 *circle, __global float2 *velocities,
-                                float4 bounds, float restitution) {
+static void c2d_resolve_contact(int4 pair, __global float4 *circle, __global float2 *velocities, float4 bounds,
+                                float restitution) {
+    const float2 translation = c2d_translation_of(pair);
     const float4 a = circle[pair.x];
     const float4 b = circle[pair.y];
     const float inverseA = 1.0f / a.w;
@@ -37,46 +38,46 @@ static void c2d_resolve_contact(int2 pair, float2 translation, __global float4 *
     }
 }
 
-// Owner cell number `item` of a colour, or C2D_NONE past the last one. Twin of pipeline.CellGrid.owner.
+// Owner cell number `item` of a colour, or -1 past the last one. Twin of pipeline.CellGrid.owner.
 static int c2d_owner_of(int item, int colour, int columns, int rows) {
     const int x0 = colour % 3;
     const int y0 = colour / 3;
     const int across = (columns - x0 + 2) / 3;
     const int up = (rows - y0 + 1) / 2;
     if (across <= 0 || item >= across * up) {
-        return C2D_NONE;
+        return -1;
     }
     const int line = item / across;
     return (y0 + 2 * line) * columns + x0 + 3 * (item - line * across);
 }
 
-static void c2d_resolve_list(int k, __global float4 *circle, __global float2 *velocities,
-                             __global const int2 *contactPair, __global const float2 *contactTranslation,
-                             __global const int *next, float4 bounds, float restitution) {
-    for (; k != C2D_NONE; k = next[k]) {
-        c2d_resolve_contact(contactPair[k], contactTranslation[k], circle, velocities, bounds, restitution);
+static void c2d_resolve_cell(int cell, __global float4 *circle, __global float2 *velocities,
+                             __global const int4 *contact, __global const int *cellStart, uint contacts, int columns,
+                             int rows, float4 bounds, float restitution) {
+    const int end = c2d_cell_end(cell, columns, rows, cellStart, contacts);
+    for (int k = cellStart[cell]; k < end; k++) {
+        c2d_resolve_contact(contact[k], circle, velocities, bounds, restitution);
     }
 }
 
 // A large world: one launch a colour.
-__kernel void c2d_resolve(__global float4 *circle, __global float2 *velocities, __global const int2 *contactPair,
-                          __global const float2 *contactTranslation, __global const int *next,
-                          __global const int *head, __global const uint *status, float4 bounds, float restitution,
-                          int columns, int rows, int colour) {
+__kernel void c2d_resolve(__global float4 *circle, __global float2 *velocities, __global const int4 *contact,
+                          __global const int *cellStart, __global const uint *status, float4 bounds,
+                          float restitution, int columns, int rows, int colour) {
     const int cell = c2d_owner_of((int)get_global_id(0), colour, columns, rows);
-    if (cell != C2D_NONE && status[C2D_STALLED] == 0u) {
-        c2d_resolve_list(head[cell], circle, velocities, contactPair, contactTranslation, next, bounds, restitution);
+    if (cell >= 0 && status[C2D_STALLED] == 0u) {
+        c2d_resolve_cell(cell, circle, velocities, contact, cellStart, status[C2D_CONTACTS], columns, rows, bounds,
+                         restitution);
     }
 }
 
 // A small world: colour and resolve in one launch of one work-group. Launches would cost more than the work.
-__kernel void c2d_resolve_small(__global float4 *circle, __global float2 *velocities,
-                                __global const int2 *contactPair, __global const float2 *contactTranslation,
-                                __global int *next, __global int *head, __global uint *status, uint capacity,
-                                float4 bounds, float restitution, float2 corner, float perUnit, int columns,
-                                int rows) {
-    const int item = (int)get_local_id(0);
-    const int items = (int)get_local_size(0);
+__kernel void c2d_resolve_small(__global float4 *circle, float2 corner, float perUnit, int columns, int rows,
+                                __global const int4 *found, __global int *cellStart, __global int4 *byCell,
+                                __global int4 *contact, __global float2 *velocities, __global uint *status,
+                                uint capacity, float4 bounds, float restitution, __local int *sums) {
+    const uint item = (uint)get_local_id(0);
+    const uint items = (uint)get_local_size(0);
     const uint contacts = status[C2D_CONTACTS];
     if (contacts > capacity) {
         if (item == 0) {
@@ -84,15 +85,25 @@ __kernel void c2d_resolve_small(__global float4 *circle, __global float2 *veloci
         }
         return;
     }
-    for (int k = item; k < (int)contacts; k += items) {
-        c2d_link(k, circle, contactPair, next, head, corner, perUnit, columns, rows);
+    for (uint k = item; k < contacts; k += items) {
+        c2d_count(k, circle, corner, perUnit, columns, rows, found, cellStart);
+    }
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    c2d_scan(cellStart, columns * rows, sums);
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    for (uint k = item; k < contacts; k += items) {
+        c2d_scatter(k, circle, corner, perUnit, columns, rows, found, cellStart, byCell);
+    }
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    for (uint k = item; k < contacts; k += items) {
+        c2d_rank(k, circle, corner, perUnit, columns, rows, byCell, cellStart, contacts, contact);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int colour = 0; colour < 6; colour++) {
         int cell;
-        for (int c = item; (cell = c2d_owner_of(c, colour, columns, rows)) != C2D_NONE; c += items) {
-            const int first = c2d_sorted(head[cell], contactPair, next);
-            c2d_resolve_list(first, circle, velocities, contactPair, contactTranslation, next, bounds, restitution);
+        for (int c = (int)item; (cell = c2d_owner_of(c, colour, columns, rows)) >= 0; c += (int)items) {
+            c2d_resolve_cell(cell, circle, velocities, contact, cellStart, contacts, columns, rows, bounds,
+                             restitution);
         }
         barrier(CLK_GLOBAL_MEM_FENCE);
     }

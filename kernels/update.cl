@@ -1,5 +1,5 @@
 // Moves every circle through one time step of constant acceleration and off the walls (thesis, chapters 3 and 4).
-// One work-item a circle. It also readies the step's contact lists.
+// One work-item a circle. It also empties the contacts of the step before.
 
 // A coordinate and its velocity against two walls; lo and hi bound the centre. Twin of host.Update.axis.
 static float2 c2d_wall(float position, float velocity, float lo, float hi, float restitution) {
@@ -17,7 +17,7 @@ static float2 c2d_wall(float position, float velocity, float lo, float hi, float
 }
 
 // velocityGain = gravity * timeStep, fall = gravity * timeStep^2 / 2; bounds = (minX, minY, maxX, maxY).
-__kernel void c2d_update(__global float4 *circle, __global float2 *velocities, __global int *head,
+__kernel void c2d_update(__global float4 *circle, __global float2 *velocities, __global int *cellStart,
                          __global uint *status, int circles, int cells, float timeStep, float2 velocityGain,
                          float2 fall, float4 bounds, float restitution) {
     if (status[C2D_STALLED] != 0u) {
@@ -29,7 +29,7 @@ __kernel void c2d_update(__global float4 *circle, __global float2 *velocities, _
         status[C2D_UPDATES] += 1u;
     }
     if (i < cells) {
-        head[i] = C2D_NONE;
+        cellStart[i] = 0;
     }
     if (i < circles) {
         const float4 c = circle[i];

@@ -4,7 +4,6 @@ import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 
 /** Computes {@link StepStats} from the host's copy of the circles and the contacts, read a part at a time. */
@@ -13,16 +12,13 @@ final class StatsReader {
 
     private final Stages stages;
     private final WorldConfig config;
-    private final IntBuffer pairs = bytes().asIntBuffer();
-    private final FloatBuffer translations = bytes().asFloatBuffer();
+    private final IntBuffer contact = ByteBuffer.allocateDirect(16 * CONTACTS)
+            .order(ByteOrder.nativeOrder())
+            .asIntBuffer();
 
     StatsReader(Stages stages, WorldConfig config) {
         this.stages = stages;
         this.config = config;
-    }
-
-    private static ByteBuffer bytes() {
-        return ByteBuffer.allocateDirect(8 * CONTACTS).order(ByteOrder.nativeOrder());
     }
 
     StepStats read(long steps, long contacts, CircleState state) {
@@ -30,10 +26,12 @@ final class StatsReader {
         double sum = 0;
         for (int from = 0; from < contacts; from += CONTACTS) {
             int part = (int) Math.min(CONTACTS, contacts - from);
-            stages.contacts(from, part, pairs, translations);
+            stages.contacts(from, part, contact);
             for (int k = 0; k < part; k++) {
-                float smaller = Math.min(state.radius(pairs.get(2 * k)), state.radius(pairs.get(2 * k + 1)));
-                double overlap = Math.hypot(translations.get(2 * k), translations.get(2 * k + 1)) / smaller;
+                float smaller = Math.min(state.radius(contact.get(4 * k)), state.radius(contact.get(4 * k + 1)));
+                float x = Float.intBitsToFloat(contact.get(4 * k + 2));
+                float y = Float.intBitsToFloat(contact.get(4 * k + 3));
+                double overlap = Math.hypot(x, y) / smaller;
                 deepest = Math.max(deepest, overlap);
                 sum += overlap;
             }

@@ -22,68 +22,48 @@ final class Colour {
         if (config.store() == CollisionStore.TRIANGLE) {
             detect.collect();
         }
+        contacts.matchRoom();
+        int[] start = contacts.cellStart;
+        // counts, then the place one past the last contact of each cell
         for (int k = 0; k < contacts.count; k++) {
-            int i = contacts.pair[2 * k];
-            int j = contacts.pair[2 * k + 1];
-            // the lower of two cells, by y, then by x
-            int owner = Math.min(
-                    cells.cell(state.circle[4 * i], state.circle[4 * i + 1]),
-                    cells.cell(state.circle[4 * j], state.circle[4 * j + 1]));
-            contacts.next[k] = contacts.head[owner];
-            contacts.head[owner] = k;
+            start[owner(contacts.found, k, cells)]++;
+        }
+        for (int cell = 1; cell < cells.cells(); cell++) {
+            start[cell] += start[cell - 1];
+        }
+        start[cells.cells()] = contacts.count;
+        // each takes the last free place of its cell, which leaves the start at the first
+        for (int k = 0; k < contacts.count; k++) {
+            int place = --start[owner(contacts.found, k, cells)];
+            System.arraycopy(contacts.found, Contacts.INTS * k, contacts.byCell, Contacts.INTS * place, Contacts.INTS);
         }
         for (int cell = 0; cell < cells.cells(); cell++) {
-            contacts.head[cell] = sorted(contacts.head[cell]);
+            for (int k = start[cell]; k < start[cell + 1]; k++) {
+                rank(k, start[cell], start[cell + 1]);
+            }
         }
     }
 
-    private boolean before(int a, int b) {
-        int[] pair = contacts.pair;
-        return pair[2 * a] < pair[2 * b] || (pair[2 * a] == pair[2 * b] && pair[2 * a + 1] < pair[2 * b + 1]);
+    /** The lower, by y and then by x, of the cells of the two circles. */
+    private int owner(int[] contact, int k, CellGrid cells) {
+        int i = contact[Contacts.INTS * k];
+        int j = contact[Contacts.INTS * k + 1];
+        float[] circle = state.circle;
+        return Math.min(cells.cell(circle[4 * i], circle[4 * i + 1]), cells.cell(circle[4 * j], circle[4 * j + 1]));
     }
 
-    /** Sorts a list of contacts by the numbers of their circles, merging runs of 1, 2, 4, ...; returns its new head. */
-    private int sorted(int head) {
-        int[] next = contacts.next;
-        for (int run = 1; ; run *= 2) {
-            int rest = head;
-            int tail = Contacts.NONE;
-            int merges = 0;
-            while (rest != Contacts.NONE) {
-                merges++;
-                int left = rest;
-                int right = rest;
-                int lefts = 0;
-                while (lefts < run && right != Contacts.NONE) {
-                    right = next[right];
-                    lefts++;
-                }
-                int rights = run;
-                while (lefts > 0 || (rights > 0 && right != Contacts.NONE)) {
-                    boolean fromRight = rights > 0 && right != Contacts.NONE && (lefts == 0 || before(right, left));
-                    int least = fromRight ? right : left;
-                    if (fromRight) {
-                        right = next[right];
-                        rights--;
-                    } else {
-                        left = next[left];
-                        lefts--;
-                    }
-                    if (tail == Contacts.NONE) {
-                        head = least;
-                    } else {
-                        next[tail] = least;
-                    }
-                    tail = least;
-                }
-                rest = right;
-            }
-            if (tail != Contacts.NONE) {
-                next[tail] = Contacts.NONE;
-            }
-            if (merges <= 1) {
-                return head;
+    /** Puts contact k of those sorted by cell in its place, by the numbers of its circles, in its cell. */
+    private void rank(int k, int start, int end) {
+        int[] byCell = contacts.byCell;
+        int i = byCell[Contacts.INTS * k];
+        int j = byCell[Contacts.INTS * k + 1];
+        int place = start;
+        for (int other = start; other < end; other++) {
+            int otherI = byCell[Contacts.INTS * other];
+            if (otherI < i || (otherI == i && byCell[Contacts.INTS * other + 1] < j)) {
+                place++;
             }
         }
+        System.arraycopy(byCell, Contacts.INTS * k, contacts.contact, Contacts.INTS * place, Contacts.INTS);
     }
 }

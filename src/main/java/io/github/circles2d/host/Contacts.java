@@ -4,43 +4,45 @@ import io.github.circles2d.CapacityException;
 import io.github.circles2d.pipeline.Tuning;
 import java.util.Arrays;
 
-/** The contacts of a step: the buffers {@code contactPair}, {@code contactTranslation}, {@code next}, {@code head}. */
+/** The contacts of a step: the buffers {@code found}, {@code byCell}, {@code contact} and {@code cellStart}. */
 final class Contacts {
-    /** End of a list; {@code C2D_NONE}. */
-    static final int NONE = -1;
+    /** An int4 a contact: the numbers i < j of its circles, and the bits of the translation vector from i to j. */
+    static final int INTS = 4;
 
-    private static final int MOST = (Integer.MAX_VALUE - 64) / 2;
+    private static final int MOST = (Integer.MAX_VALUE - 64) / INTS;
 
     int count;
-    /** (i, j) a contact, i < j. */
-    int[] pair = {};
-    /** (x, y) a contact, from i to j, world units. */
-    float[] translation = {};
-    /** The contact after this one in the list of its cell. */
-    int[] next = {};
-    /** First contact of each cell. */
-    int[] head = {};
+    /** As detect found them. */
+    int[] found = {};
+    /** Sorted by cell. */
+    int[] byCell = {};
+    /** Sorted by cell and numbers. */
+    int[] contact = {};
+    /** The first contact of each cell, and one past the last of all. */
+    int[] cellStart = {};
 
     /** {@code c2d_append}; here the room grows at once. */
     void append(int i, int j, float x, float y) {
-        if (count == next.length) {
-            grow();
+        int at = INTS * count;
+        if (at == found.length) {
+            if (count == MOST) {
+                throw new CapacityException("a step found more than " + MOST + " contacts; Java has room for no more");
+            }
+            found = Arrays.copyOf(
+                    found, INTS * (int) Math.min(MOST, Math.max(Tuning.FIRST_CONTACTS, count * Tuning.GROWTH)));
         }
-        pair[2 * count] = i;
-        pair[2 * count + 1] = j;
-        translation[2 * count] = x;
-        translation[2 * count + 1] = y;
+        found[at] = i;
+        found[at + 1] = j;
+        found[at + 2] = Float.floatToRawIntBits(x);
+        found[at + 3] = Float.floatToRawIntBits(y);
         count++;
     }
 
-    private void grow() {
-        if (count == MOST) {
-            throw new CapacityException(
-                    "a step found more than " + MOST + " contacts; plain Java has no room for more");
+    /** Makes the sorted copies as large as what was found. */
+    void matchRoom() {
+        if (byCell.length < found.length) {
+            byCell = new int[found.length];
+            contact = new int[found.length];
         }
-        int room = (int) Math.min(MOST, Math.max(Tuning.FIRST_CONTACTS, count * Tuning.GROWTH));
-        pair = Arrays.copyOf(pair, 2 * room);
-        translation = Arrays.copyOf(translation, 2 * room);
-        next = Arrays.copyOf(next, room);
     }
 }

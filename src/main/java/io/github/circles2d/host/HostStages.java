@@ -31,8 +31,8 @@ public final class HostStages implements Stages {
         state.upload(circle, velocities, circles);
         detect.prepare();
         cells = CellGrid.of(config, circles, maxRadius);
-        if (contacts.head.length < cells.cells()) {
-            contacts.head = new int[cells.cells()];
+        if (contacts.cellStart.length < cells.cells() + 1) {
+            contacts.cellStart = new int[cells.cells() + 1];
         }
     }
 
@@ -72,9 +72,8 @@ public final class HostStages implements Stages {
     }
 
     @Override
-    public void contacts(int from, int count, IntBuffer pairs, FloatBuffer translations) {
-        pairs.put(0, contacts.pair, 2 * from, 2 * count);
-        translations.put(0, contacts.translation, 2 * from, 2 * count);
+    public void contacts(int from, int count, IntBuffer to) {
+        to.put(0, contacts.found, Contacts.INTS * from, Contacts.INTS * count);
     }
 
     @Override

@@ -19,8 +19,9 @@ final class Resolve {
         for (int colour = 0; colour < CellGrid.COLOURS; colour++) {
             int owners = cells.owners(colour);
             for (int item = 0; item < owners; item++) {
-                for (int k = contacts.head[cells.owner(item, colour)]; k != Contacts.NONE; k = contacts.next[k]) {
-                    contact(k);
+                int cell = cells.owner(item, colour);
+                for (int k = contacts.cellStart[cell]; k < contacts.cellStart[cell + 1]; k++) {
+                    contact(Contacts.INTS * k);
                 }
             }
         }
@@ -30,13 +31,13 @@ final class Resolve {
      * Parts two circles by the translation vector, each by its share of the inverse masses, and, if they approach, gives
      * them the impulse J = -(1 + e) v_ab . n / (1/m_a + 1/m_b) along the normal n (thesis, chapter 3).
      */
-    private void contact(int k) {
+    private void contact(int at) {
         float[] circle = state.circle;
         float[] velocities = state.velocities;
-        int a = contacts.pair[2 * k];
-        int b = contacts.pair[2 * k + 1];
-        float tx = contacts.translation[2 * k];
-        float ty = contacts.translation[2 * k + 1];
+        int a = contacts.contact[at];
+        int b = contacts.contact[at + 1];
+        float tx = Float.intBitsToFloat(contacts.contact[at + 2]);
+        float ty = Float.intBitsToFloat(contacts.contact[at + 3]);
         float inverseA = 1 / circle[4 * a + 3];
         float inverseB = 1 / circle[4 * b + 3];
         float inverseSum = inverseA + inverseB;

@@ -18,7 +18,7 @@ final class Update {
     /** d = v t + g t^2 / 2 and v + g t (thesis, chapter 3), then the walls. */
     void run() {
         contacts.count = 0;
-        Arrays.fill(contacts.head, Contacts.NONE);
+        Arrays.fill(contacts.cellStart, 0);
         for (int i = 0; i < state.circles; i++) {
             float radius = state.circle[4 * i + 2];
             axis(4 * i, 2 * i, config.velocityGainX(), config.fallX(), config.minX() + radius, config.maxX() - radius);

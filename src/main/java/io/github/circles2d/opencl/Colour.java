@@ -4,34 +4,38 @@ import io.github.circles2d.pipeline.CellGrid;
 
 /** Host code of {@code kernels/colour.cl}: puts the contacts of a large world in an order that needs no locks. */
 final class Colour {
-    private final Kernel link;
-    private final Kernel sort;
+    private final Kernel count;
+    private final Kernel scan;
+    private final Kernel scatter;
+    private final Kernel rank;
 
     Colour(Session session, Program program) {
-        link = new Kernel(session, program, "c2d_colour_link");
-        sort = new Kernel(session, program, "c2d_colour_sort");
+        count = new Kernel(session, program, "c2d_colour_count");
+        scan = new Kernel(session, program, "c2d_colour_scan");
+        scatter = new Kernel(session, program, "c2d_colour_scatter");
+        rank = new Kernel(session, program, "c2d_colour_rank");
     }
 
-    void bind(State state, Contacts contacts, CellGrid cells, int group) {
-        link.arguments(
-                        state.circle,
-                        contacts.contactPair,
-                        contacts.next,
-                        contacts.head,
-                        contacts.status,
-                        contacts.capacity(),
-                        new float[] {cells.minX(), cells.minY()},
-                        cells.perUnit(),
-                        cells.columns(),
-                        cells.rows())
-                // about as many contacts as circles; the kernel goes round where there are more
-                .range(Math.max(1, state.circles), group);
-        sort.arguments(contacts.contactPair, contacts.next, contacts.head, contacts.status, cells.cells())
-                .range(cells.cells(), group);
+    void bind(State state, Contacts contacts, CellGrid cells, int group, int oneGroup) {
+        Object[] grid = {
+            state.circle, new float[] {cells.minX(), cells.minY()}, cells.perUnit(), cells.columns(), cells.rows()
+        };
+        // about as many contacts as circles; the kernels go round where there are more
+        long items = Math.max(1, state.circles);
+        count.arguments(grid, contacts.found, contacts.cellStart, contacts.status, contacts.capacity())
+                .range(items, group);
+        scan.arguments(contacts.cellStart, contacts.status, cells.cells(), new Kernel.Local(4L * oneGroup))
+                .range(1, oneGroup);
+        scatter.arguments(grid, contacts.found, contacts.cellStart, contacts.status, contacts.byCell)
+                .range(items, group);
+        rank.arguments(grid, contacts.byCell, contacts.cellStart, contacts.status, contacts.contact)
+                .range(items, group);
     }
 
     void run() {
-        link.launch();
-        sort.launch();
+        count.launch();
+        scan.launch();
+        scatter.launch();
+        rank.launch();
     }
 }

@@ -9,16 +9,24 @@ import java.nio.IntBuffer;
 import org.jocl.Pointer;
 
 /**
- * The contacts on the device: the buffers {@code contactPair}, {@code contactTranslation}, {@code next}, {@code head} and
- * {@code status} of the kernels.
+ * The contacts on the device: the buffers {@code found}, {@code byCell}, {@code contact}, {@code cellStart} and {@code status} of
+ * the kernels.
  */
 final class Contacts {
+    /** A contact: the numbers of its circles and its translation vector, an int4. */
+    static final long BYTES = 16;
+
     private static final int STATUS_BYTES = 12;
 
-    final DeviceBuffer contactPair;
-    final DeviceBuffer contactTranslation;
-    final DeviceBuffer next;
-    final DeviceBuffer head;
+    /** As detect found them. */
+    final DeviceBuffer found;
+    /** Sorted by cell. */
+    final DeviceBuffer byCell;
+    /** Sorted by cell and numbers. */
+    final DeviceBuffer contact;
+    /** The first contact of each cell. */
+    final DeviceBuffer cellStart;
+
     final DeviceBuffer status;
     private final IntBuffer statusCopy = ByteBuffer.allocateDirect(STATUS_BYTES)
             .order(ByteOrder.nativeOrder())
@@ -28,10 +36,10 @@ final class Contacts {
     private int capacity;
 
     Contacts(Session session) {
-        contactPair = new DeviceBuffer(session, "contactPair");
-        contactTranslation = new DeviceBuffer(session, "contactTranslation");
-        next = new DeviceBuffer(session, "next");
-        head = new DeviceBuffer(session, "head");
+        found = new DeviceBuffer(session, "found");
+        byCell = new DeviceBuffer(session, "byCell");
+        contact = new DeviceBuffer(session, "contact");
+        cellStart = new DeviceBuffer(session, "cellStart");
         status = new DeviceBuffer(session, "status");
         status.ensure(STATUS_BYTES);
         clearStatus();
@@ -50,9 +58,9 @@ final class Contacts {
             throw new CapacityException("a step found " + wanted + " contacts; a world has room for 2^31 - 1");
         }
         capacity = 0;
-        contactPair.ensure(8 * wanted);
-        contactTranslation.ensure(8 * wanted);
-        next.ensure(4 * wanted);
+        found.ensure(BYTES * wanted);
+        byCell.ensure(BYTES * wanted);
+        contact.ensure(BYTES * wanted);
         capacity = (int) wanted;
     }
 

@@ -56,8 +56,7 @@ final class Detect {
                     circles,
                     slice.first,
                     slice.pairs,
-                    contacts.contactPair,
-                    contacts.contactTranslation,
+                    contacts.found,
                     contacts.capacity());
             slice.detect.range(slice.pairs, group, Tuning.PAIRS_PER_LAUNCH);
             lister.range(slice.pairs, group, Tuning.PAIRS_PER_LAUNCH);

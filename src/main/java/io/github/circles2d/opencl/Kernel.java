@@ -35,12 +35,29 @@ final class Kernel implements AutoCloseable {
         maxGroup = (int) Math.min(Integer.MAX_VALUE, most[0]);
     }
 
-    /** Sets every argument, in order: {@link DeviceBuffer}, {@code Integer}, {@code Long}, {@code Float}, {@code float[]} (a vector). */
+    /** Local memory of a work-group, as an argument. */
+    record Local(long bytes) {}
+
+    /**
+     * Sets every argument, in order: {@link DeviceBuffer}, {@link Local}, {@code Integer}, {@code Long}, {@code Float},
+     * {@code float[]} (a vector), {@code Object[]} (several arguments).
+     */
     Kernel arguments(Object... values) {
-        for (int i = 0; i < values.length; i++) {
-            Object value = values[i];
+        set(0, values);
+        return this;
+    }
+
+    private int set(int from, Object... values) {
+        int i = from;
+        for (Object value : values) {
+            if (value instanceof Object[] several) {
+                i = set(i, several);
+                continue;
+            }
             if (value instanceof DeviceBuffer buffer) {
                 set(i, Sizeof.cl_mem, Pointer.to(buffer.memory()));
+            } else if (value instanceof Local memory) {
+                set(i, memory.bytes(), (Pointer) null);
             } else if (value instanceof Integer number) {
                 set(i, Sizeof.cl_int, Pointer.to(new int[] {number}));
             } else if (value instanceof Long number) {
@@ -52,8 +69,9 @@ final class Kernel implements AutoCloseable {
             } else {
                 throw new IllegalArgumentException("argument " + i + " of " + name + " = " + value);
             }
+            i++;
         }
-        return this;
+        return i;
     }
 
     private void set(int index, long size, Pointer value) {

@@ -19,7 +19,7 @@ final class OpenClStages implements Stages {
     private final State state;
     private final Contacts contacts;
     private final int group;
-    private final int smallGroup;
+    private final int oneGroup;
     private Boolean wide;
     private Program program;
     private Update update;
@@ -34,9 +34,7 @@ final class OpenClStages implements Stages {
         boolean gpu = device.isGpu();
         int suits = gpu ? Tuning.GPU_WORK_GROUP : Tuning.CPU_WORK_GROUP;
         group = config.workGroup() > 0 ? config.workGroup() : suits;
-        smallGroup = config.workGroup() > 0
-                ? config.workGroup()
-                : gpu ? Tuning.GPU_SMALL_WORLD_GROUP : Tuning.CPU_SMALL_WORLD_GROUP;
+        oneGroup = config.workGroup() > 0 ? config.workGroup() : gpu ? Tuning.GPU_ONE_GROUP : Tuning.CPU_ONE_GROUP;
         session = new Session(device);
         try {
             state = new State(session);
@@ -82,7 +80,7 @@ final class OpenClStages implements Stages {
         compile(IndexStrategies.wide(circles));
         state.upload(circle, velocities, circles);
         cells = CellGrid.of(config, circles, maxRadius);
-        contacts.head.ensure(4L * cells.cells());
+        contacts.cellStart.ensure(4L * cells.cells());
         contacts.ensure((long) Tuning.CONTACTS_PER_CIRCLE * circles + Tuning.FIRST_CONTACTS);
         bind();
     }
@@ -90,8 +88,8 @@ final class OpenClStages implements Stages {
     private void bind() {
         update.bind(config, state, contacts, cells, group);
         detect.bind(state, contacts, group);
-        colour.bind(state, contacts, cells, group);
-        resolve.bind(config, state, contacts, cells, group, smallGroup);
+        colour.bind(state, contacts, cells, group, oneGroup);
+        resolve.bind(config, state, contacts, cells, group, oneGroup);
     }
 
     @Override
@@ -144,9 +142,8 @@ final class OpenClStages implements Stages {
     }
 
     @Override
-    public void contacts(int from, int count, IntBuffer pairs, FloatBuffer translations) {
-        contacts.contactPair.read(8L * from, pairs, 8L * count);
-        contacts.contactTranslation.read(8L * from, translations, 8L * count);
+    public void contacts(int from, int count, IntBuffer to) {
+        contacts.found.read(Contacts.BYTES * from, to, Contacts.BYTES * count);
     }
 
     @Override

@@ -15,17 +15,15 @@ final class Resolve {
         small = new Kernel(session, program, "c2d_resolve_small");
     }
 
-    void bind(WorldConfig config, State state, Contacts contacts, CellGrid cells, int group, int smallGroup) {
+    void bind(WorldConfig config, State state, Contacts contacts, CellGrid cells, int group, int oneGroup) {
         float[] bounds = {config.minX(), config.minY(), config.maxX(), config.maxY()};
         for (int colour = 0; colour < colours.length; colour++) {
             colours[colour]
                     .arguments(
                             state.circle,
                             state.velocities,
-                            contacts.contactPair,
-                            contacts.contactTranslation,
-                            contacts.next,
-                            contacts.head,
+                            contacts.contact,
+                            contacts.cellStart,
                             contacts.status,
                             bounds,
                             config.restitution(),
@@ -36,20 +34,21 @@ final class Resolve {
         }
         small.arguments(
                         state.circle,
+                        new float[] {cells.minX(), cells.minY()},
+                        cells.perUnit(),
+                        cells.columns(),
+                        cells.rows(),
+                        contacts.found,
+                        contacts.cellStart,
+                        contacts.byCell,
+                        contacts.contact,
                         state.velocities,
-                        contacts.contactPair,
-                        contacts.contactTranslation,
-                        contacts.next,
-                        contacts.head,
                         contacts.status,
                         contacts.capacity(),
                         bounds,
                         config.restitution(),
-                        new float[] {cells.minX(), cells.minY()},
-                        cells.perUnit(),
-                        cells.columns(),
-                        cells.rows())
-                .range(1, smallGroup);
+                        new Kernel.Local(4L * oneGroup))
+                .range(1, oneGroup);
     }
 
     void run() {

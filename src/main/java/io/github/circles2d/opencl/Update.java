@@ -15,7 +15,7 @@ final class Update {
         update.arguments(
                         state.circle,
                         state.velocities,
-                        contacts.head,
+                        contacts.cellStart,
                         contacts.status,
                         state.circles,
                         cells.cells(),

@@ -41,10 +41,10 @@ public interface Stages extends AutoCloseable {
     /**
      * Reads contacts {@code from .. from + count - 1} of the last step, in the order they were found in. Waits.
      *
-     * @param pairs the numbers (i, j) of the two circles, i < j; direct, native order, written from 0
-     * @param translations the vector (x, y) that parts them, from i to j, world units; direct, native order
+     * @param to an int4 a contact: the numbers i < j of its circles, and the bits of the vector that parts them, from i
+     *     to j, world units; direct, native order, written from 0
      */
-    void contacts(int from, int count, IntBuffer pairs, FloatBuffer translations);
+    void contacts(int from, int count, IntBuffer to);
 
     /** Releases everything the stages own. Idempotent. */
     @Override

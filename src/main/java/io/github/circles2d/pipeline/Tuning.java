@@ -67,11 +67,11 @@ public final class Tuning {
 
     public static final int CPU_WORK_GROUP = 256;
 
-    /** Work-items of the one group that colours and resolves a small world, on a GPU. 64 to 1,024. */
-    public static final int GPU_SMALL_WORLD_GROUP = 512;
+    /** Work-items of a launch of one group, which scans cells or does a small world, on a GPU. 64 to 1,024. */
+    public static final int GPU_ONE_GROUP = 512;
 
     /** The same on a CPU, where one work-item after the other runs anyway. */
-    public static final int CPU_SMALL_WORLD_GROUP = 1;
+    public static final int CPU_ONE_GROUP = 1;
 
     /** Largest world, in circles, that one work-group colours and resolves. 0 (never) to some ten thousand. */
     public static final int SMALL_WORLD = 4096;
