@@ -63,13 +63,18 @@ public record Scene(
         throw new IllegalArgumentException("scene = " + name + ": must be thesis or gas");
     }
 
-    /** A world with this many circles of the scene, from a builder that says where and how it runs. */
-    public Circles2D build(Circles2D.Builder builder, int count) {
-        Circles2D world = builder.gravity(gravityX, gravityY)
+    /** A world with the rules of the scene, room for this many circles and none in it. */
+    public Circles2D empty(Circles2D.Builder builder, int count) {
+        return builder.gravity(gravityX, gravityY)
                 .restitution(restitution)
                 .bounds(0, 0, 1, 1)
                 .capacity(count)
                 .build();
+    }
+
+    /** A world with this many circles of the scene, from a builder that says where and how it runs. */
+    public Circles2D build(Circles2D.Builder builder, int count) {
+        Circles2D world = empty(builder, count);
         try {
             circles.accept(world, count);
             return world;
