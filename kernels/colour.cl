@@ -6,7 +6,7 @@
 // Contacts are sorted by owner cell, and within it by the numbers of their circles: a counting sort, then ranks. The order
 // they were found in leaves no trace.
 
-// The cells: low corner, cells a world unit, columns and rows. Twin of pipeline.CellGrid.
+// The cells: low corner, cells in one world unit, columns and rows. Twin of pipeline.CellGrid.
 static int2 c2d_cell(float2 position, float2 corner, float perUnit, int columns, int rows) {
     const int x = (int)((position.x - corner.x) * perUnit);
     const int y = (int)((position.y - corner.y) * perUnit);
@@ -64,9 +64,9 @@ static int c2d_cell_end(int cell, int columns, int rows, __global const int *cel
     return cell + 1 < columns * rows ? cellStart[cell + 1] : (int)contacts;
 }
 
-// Step 4, a contact: sorts the contacts of a cell by the numbers of their circles.
+// Step 4, a contact: sorts the contacts of a cell by the numbers of their circles, and makes them ready.
 static void c2d_rank(uint k, C2D_CELLS, __global const int4 *byCell, __global const int *cellStart, uint contacts,
-                     __global int4 *contact) {
+                     float restitution, __global float8 *contact) {
     const int4 own = byCell[k];
     const int cell = c2d_owner(own, circle, corner, perUnit, columns, rows);
     const int start = cellStart[cell];
@@ -76,21 +76,26 @@ static void c2d_rank(uint k, C2D_CELLS, __global const int4 *byCell, __global co
         const int4 one = byCell[other];
         place += one.x < own.x || (one.x == own.x && one.y < own.y) ? 1 : 0;
     }
-    contact[place] = own;
+    contact[place] = c2d_prepare(own, circle, restitution);
 }
 
 #if C2D_TRIANGLE
-// The thesis' second walk over the triangle: one work-item a pair, which finds its circles again where they overlap.
-__kernel void c2d_colour_collect(__global const float2 *collision, __global const int2 *table, __global uint *status,
-                                 int circles, ulong first, ulong pairs, __global int4 *found, uint capacity) {
-    const size_t item = get_global_id(0);
-    if (item >= pairs || status[C2D_STALLED] != 0u) {
+// The thesis' second walk over the triangle, which finds the circles of each collision again; only where detect has marked
+// one. One work-item a block of C2D_BLOCK pairs.
+__kernel void c2d_colour_collect(__global const float2 *collision, __global const uint *mark,
+                                 __global const int2 *table, __global uint *status, int circles, ulong first,
+                                 ulong pairs, __global int4 *found, uint capacity) {
+    const ulong block = get_global_id(0) * (ulong)C2D_BLOCK;
+    if (block >= pairs || status[C2D_STALLED] != 0u || mark[get_global_id(0)] != status[C2D_UPDATES]) {
         return;
     }
-    const float2 translation = collision[item];
-    if (translation.x != 0.0f || translation.y != 0.0f) {
-        const int2 pair = c2d_pair_at((c2d_index)first + (c2d_index)item, (c2d_index)first, circles, table);
-        c2d_append(pair, translation, found, status, capacity);
+    const ulong end = min(block + (ulong)C2D_BLOCK, pairs);
+    for (ulong item = block; item < end; item++) {
+        const float2 translation = collision[item];
+        if (translation.x != 0.0f || translation.y != 0.0f) {
+            const int2 pair = c2d_pair_at((c2d_index)(first + item), (c2d_index)first, circles, table);
+            c2d_append(pair, translation, found, status, capacity);
+        }
     }
 }
 #endif
@@ -128,9 +133,9 @@ __kernel void c2d_colour_scatter(C2D_CELLS, __global const int4 *found, __global
 
 // Step 4.
 __kernel void c2d_colour_rank(C2D_CELLS, __global const int4 *byCell, __global const int *cellStart,
-                              __global const uint *status, __global int4 *contact) {
+                              __global const uint *status, float restitution, __global float8 *contact) {
     const uint contacts = status[C2D_STALLED] != 0u ? 0u : status[C2D_CONTACTS];
     for (uint k = (uint)get_global_id(0); k < contacts; k += (uint)get_global_size(0)) {
-        c2d_rank(k, circle, corner, perUnit, columns, rows, byCell, cellStart, contacts, contact);
+        c2d_rank(k, circle, corner, perUnit, columns, rows, byCell, cellStart, contacts, restitution, contact);
     }
 }

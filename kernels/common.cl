@@ -23,15 +23,19 @@ typedef uint c2d_index;
 typedef uint2 c2d_row;
 #endif
 
+// Pairs of the triangle that share a mark.
+#ifndef C2D_BLOCK
+#define C2D_BLOCK 256
+#endif
+
 // The status buffer, class pipeline.Status: how many contacts the step found, whether they outgrew their buffers (then
 // nothing moves until the host has made room), how many updates have run.
 #define C2D_CONTACTS 0
 #define C2D_STALLED 1
 #define C2D_UPDATES 2
 
-// A contact is an int4: the numbers i < j of its circles, and the bits of the translation vector from i to j.
-static float2 c2d_translation_of(int4 contact) { return (float2)(as_float(contact.z), as_float(contact.w)); }
-
+// A contact as detect finds it is an int4: the numbers i < j of its circles, and the bits of the translation vector from i
+// to j.
 // Appends a contact; one that finds the buffer full is counted all the same, so that the host knows what is needed.
 static void c2d_append(int2 pair, float2 translation, __global int4 *found, __global uint *status, uint capacity) {
 #if C2D_WIDE

@@ -34,7 +34,7 @@ static float2 c2d_translation(float4 a, float4 b, int i, int j) {
 // The work-items of a slice of the pairs: first .. first + pairs - 1.
 #if C2D_TRIANGLE
 __kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global const uint *status,
-                         int circles, ulong first, ulong pairs, __global float2 *collision) {
+                         int circles, ulong first, ulong pairs, __global float2 *collision, __global uint *mark) {
 #else
 __kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global uint *status,
                          int circles, ulong first, ulong pairs, __global int4 *found, uint capacity) {
@@ -47,6 +47,10 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
     const float2 translation = c2d_translation(circle[pair.x], circle[pair.y], pair.x, pair.y);
 #if C2D_TRIANGLE
     collision[item] = translation;
+    if (translation.x != 0.0f || translation.y != 0.0f) {
+        // the number of this step: marks of earlier ones need no clearing
+        atomic_xchg(&mark[item / C2D_BLOCK], status[C2D_UPDATES]);
+    }
 #else
     if (translation.x != 0.0f || translation.y != 0.0f) {
         c2d_append(pair, translation, found, status, capacity);

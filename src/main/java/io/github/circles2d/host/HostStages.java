@@ -23,7 +23,7 @@ public final class HostStages implements Stages {
         update = new Update(config, state, contacts);
         detect = new Detect(config, state, contacts);
         colour = new Colour(config, state, contacts, detect);
-        resolve = new Resolve(config, state, contacts);
+        resolve = new Resolve(contacts, new Contact(config, state));
     }
 
     @Override

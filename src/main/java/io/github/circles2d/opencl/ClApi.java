@@ -30,6 +30,9 @@ public interface ClApi {
 
     cl_mem createBuffer(cl_context context, long flags, long bytes, int[] status);
 
+    /** A part of a buffer. */
+    cl_mem createSubBuffer(cl_mem buffer, long flags, long offset, long bytes, int[] status);
+
     cl_program createProgramWithSource(cl_context context, String[] sources, int[] status);
 
     int buildProgram(cl_program program, cl_device_id device, String options);

@@ -16,19 +16,19 @@ final class Colour {
         rank = new Kernel(session, program, "c2d_colour_rank");
     }
 
-    void bind(State state, Contacts contacts, CellGrid cells, int group, int oneGroup) {
+    void bind(State state, Contacts contacts, CellGrid cells, float restitution, int group, int oneGroup) {
         Object[] grid = {
             state.circle, new float[] {cells.minX(), cells.minY()}, cells.perUnit(), cells.columns(), cells.rows()
         };
         // about as many contacts as circles; the kernels go round where there are more
         long items = Math.max(1, state.circles);
-        count.arguments(grid, contacts.found, contacts.cellStart, contacts.status, contacts.capacity())
+        count.arguments(grid, contacts.found, contacts.cellStart, state.status, contacts.capacity())
                 .range(items, group);
-        scan.arguments(contacts.cellStart, contacts.status, cells.cells(), new Kernel.Local(4L * oneGroup))
+        scan.arguments(contacts.cellStart, state.status, cells.cells(), new Kernel.Local(4L * oneGroup))
                 .range(1, oneGroup);
-        scatter.arguments(grid, contacts.found, contacts.cellStart, contacts.status, contacts.byCell)
+        scatter.arguments(grid, contacts.found, contacts.cellStart, state.status, contacts.byCell)
                 .range(items, group);
-        rank.arguments(grid, contacts.byCell, contacts.cellStart, contacts.status, contacts.contact)
+        rank.arguments(grid, contacts.byCell, contacts.cellStart, state.status, restitution, contacts.contact)
                 .range(items, group);
     }
 

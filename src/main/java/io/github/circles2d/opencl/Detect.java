@@ -14,12 +14,19 @@ import java.util.List;
 final class Detect {
     /** A part of the pairs, with the kernels that work on it. */
     private record Slice(
-            long first, long pairs, DeviceBuffer table, DeviceBuffer collision, Kernel detect, Kernel collect) {
+            long first,
+            long pairs,
+            DeviceBuffer table,
+            DeviceBuffer collision,
+            DeviceBuffer mark,
+            Kernel detect,
+            Kernel collect) {
         void close() {
             if (collect != null) {
                 collect.close();
             }
             detect.close();
+            mark.close();
             collision.close();
             table.close();
         }
@@ -44,23 +51,22 @@ final class Detect {
             build(state.circles);
         }
         for (Slice slice : slices) {
-            Kernel lister = triangle ? slice.collect : slice.detect;
+            Object[] pairs = {slice.table, state.status, circles, slice.first, slice.pairs};
+            Object[] list = {contacts.found, contacts.capacity()};
             if (triangle) {
-                slice.detect.arguments(
-                        state.circle, slice.table, contacts.status, circles, slice.first, slice.pairs, slice.collision);
+                slice.detect.arguments(state.circle, pairs, slice.collision, slice.mark);
+                slice.collect
+                        .arguments(slice.collision, slice.mark, pairs, list)
+                        .range(blocks(slice.pairs), group);
+            } else {
+                slice.detect.arguments(state.circle, pairs, list);
             }
-            lister.arguments(
-                    triangle ? slice.collision : state.circle,
-                    slice.table,
-                    contacts.status,
-                    circles,
-                    slice.first,
-                    slice.pairs,
-                    contacts.found,
-                    contacts.capacity());
             slice.detect.range(slice.pairs, group, Tuning.PAIRS_PER_LAUNCH);
-            lister.range(slice.pairs, group, Tuning.PAIRS_PER_LAUNCH);
         }
+    }
+
+    private static long blocks(long pairs) {
+        return (pairs + Tuning.BLOCK - 1) / Tuning.BLOCK;
     }
 
     private void build(int count) {
@@ -95,10 +101,19 @@ final class Detect {
             table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
         }
         DeviceBuffer collision = new DeviceBuffer(session, "collision");
+        DeviceBuffer mark = new DeviceBuffer(session, "mark");
         collision.ensure(triangle ? 8 * pairs : 0);
+        mark.ensure(triangle ? 4 * blocks(pairs) : 0);
+        if (triangle) {
+            mark.fill(4 * blocks(pairs), memory -> {
+                while (memory.hasRemaining()) {
+                    memory.putInt(0);
+                }
+            });
+        }
         Kernel detect = new Kernel(session, program, "c2d_detect");
         Kernel collect = triangle ? new Kernel(session, program, "c2d_colour_collect") : null;
-        return new Slice(first, pairs, table, collision, detect, collect);
+        return new Slice(first, pairs, table, collision, mark, detect, collect);
     }
 
     void run() {

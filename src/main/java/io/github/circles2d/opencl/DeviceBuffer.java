@@ -40,6 +40,16 @@ final class DeviceBuffer implements AutoCloseable {
         bytes = needed;
     }
 
+    /** Makes this buffer a part of another one, which must have been {@link #ensure ensured} and stays its owner. */
+    void become(DeviceBuffer whole, long offset, long count) {
+        release();
+        int[] status = new int[1];
+        cl_mem created =
+                session.api.createSubBuffer(whole.memory, CL.CL_MEM_READ_WRITE, offset, Math.max(count, 16), status);
+        Cl.checkAllocation("clCreateSubBuffer", status[0], name, count);
+        memory = created;
+    }
+
     cl_mem memory() {
         return memory;
     }

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import org.jocl.CL;
 import org.jocl.CLException;
 import org.jocl.Pointer;
+import org.jocl.cl_buffer_region;
 import org.jocl.cl_command_queue;
 import org.jocl.cl_context;
 import org.jocl.cl_context_properties;
@@ -98,6 +99,16 @@ final class JoclApi implements ClApi {
     public cl_mem createBuffer(cl_context context, long flags, long bytes, int[] status) {
         try {
             return CL.clCreateBuffer(context, flags, bytes, null, status);
+        } catch (CLException e) {
+            return failed(e, status);
+        }
+    }
+
+    @Override
+    public cl_mem createSubBuffer(cl_mem buffer, long flags, long offset, long bytes, int[] status) {
+        try {
+            cl_buffer_region region = new cl_buffer_region(offset, bytes);
+            return CL.clCreateSubBuffer(buffer, flags, CL.CL_BUFFER_CREATE_TYPE_REGION, region, status);
         } catch (CLException e) {
             return failed(e, status);
         }

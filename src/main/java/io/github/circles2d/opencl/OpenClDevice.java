@@ -21,6 +21,9 @@ public final class OpenClDevice implements Device {
     final long maxBuffer;
     final long memory;
     final int maxWorkGroup;
+    /** Parts of a buffer begin at multiples of this, bytes. */
+    final int partAlignment;
+
     /** Divisions and roots are rounded correctly if the program asks for it. */
     final boolean correctlyRounded;
 
@@ -44,6 +47,7 @@ public final class OpenClDevice implements Device {
         maxBuffer = number(CL.CL_DEVICE_MAX_MEM_ALLOC_SIZE);
         memory = number(CL.CL_DEVICE_GLOBAL_MEM_SIZE);
         maxWorkGroup = (int) Math.min(Integer.MAX_VALUE, number(CL.CL_DEVICE_MAX_WORK_GROUP_SIZE));
+        partAlignment = (int) Math.max(16, (number(CL.CL_DEVICE_MEM_BASE_ADDR_ALIGN) & 0xFFFFFFFFL) / 8);
         correctlyRounded = (number(CL.CL_DEVICE_SINGLE_FP_CONFIG) & CL.CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     }
 

@@ -54,7 +54,10 @@ final class OpenClStages implements Stages {
         Program old = program;
         program = Program.build(
                 session,
-                Map.of("C2D_WIDE", wanted ? 1 : 0, "C2D_TRIANGLE", config.store() == CollisionStore.TRIANGLE ? 1 : 0),
+                Map.of(
+                        "C2D_WIDE", wanted ? 1 : 0,
+                        "C2D_TRIANGLE", config.store() == CollisionStore.TRIANGLE ? 1 : 0,
+                        "C2D_BLOCK", Tuning.BLOCK),
                 List.of(
                         Program.file("common.cl"),
                         Map.entry(
@@ -62,6 +65,7 @@ final class OpenClStages implements Stages {
                                 config.strategy().kernelSource()),
                         Program.file("update.cl"),
                         Program.file("detect.cl"),
+                        Program.file("contact.cl"),
                         Program.file("colour.cl"),
                         Program.file("resolve.cl")));
         // kernels of the old program go with the session; a world crosses this line once
@@ -88,7 +92,7 @@ final class OpenClStages implements Stages {
     private void bind() {
         update.bind(config, state, contacts, cells, group);
         detect.bind(state, contacts, group);
-        colour.bind(state, contacts, cells, group, oneGroup);
+        colour.bind(state, contacts, cells, config.restitution(), group, oneGroup);
         resolve.bind(config, state, contacts, cells, group, oneGroup);
     }
 
@@ -132,12 +136,13 @@ final class OpenClStages implements Stages {
 
     @Override
     public Status await() {
-        return contacts.await();
+        return state.await();
     }
 
     @Override
     public void makeRoom(long needed) {
         contacts.makeRoom(needed);
+        state.clearStatus();
         bind();
     }
 

@@ -34,7 +34,7 @@ final class Session implements AutoCloseable {
         }
         Cl.check("clCreateCommandQueue", status[0]);
         queue = created;
-        SignalCanary.check(device);
+        SignalCanary.check();
     }
 
     /** Takes over a resource: it is closed with the session unless it is closed before. */

@@ -12,15 +12,13 @@ final class SignalCanary {
 
     private SignalCanary() {}
 
-    static void check(OpenClDevice device) {
+    static void check() {
         if (!TOLD.get() && !throwsOnZero(0) && TOLD.compareAndSet(false, true)) {
             LOG.log(
                     System.Logger.Level.WARNING,
-                    "{0} ({1}) has taken over the JVM''s signal handlers: an integer division by zero in Java no longer"
-                            + " throws. Start Java with LD_PRELOAD=$JAVA_HOME/lib/libjsig.so to keep both working, or"
-                            + " use PoCL 4 or newer.",
-                    device.name(),
-                    device.platform());
+                    "an OpenCL driver (PoCL before 4.0 does it) has taken over the JVM''s signal handlers: an integer"
+                            + " division by zero in Java no longer throws. Start Java with"
+                            + " LD_PRELOAD=$JAVA_HOME/lib/libjsig.so to keep both working.");
         }
     }
 

@@ -16,7 +16,7 @@ final class Update {
                         state.circle,
                         state.velocities,
                         contacts.cellStart,
-                        contacts.status,
+                        state.status,
                         state.circles,
                         cells.cells(),
                         config.timeStep(),

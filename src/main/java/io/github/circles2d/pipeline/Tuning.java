@@ -59,6 +59,12 @@ public final class Tuning {
     /** Largest single buffer of the triangle or of a look-up table, bytes. 2^20 to 2^30. */
     public static final long SLICE_BYTES = 1L << 30;
 
+    /** Pairs of the triangle that share a mark, {@code C2D_BLOCK}. 64 to 4,096. */
+    public static final int BLOCK = 256;
+
+    /** Largest state that is read back in one transfer and then copied, bytes. 0 to 2^24; copying costs 1 ms for 2^22. */
+    public static final long ONE_TRANSFER_BYTES = 1L << 20;
+
     /** Steps that may wait in the queue before the caller waits for them, steps. 8 to 256. */
     public static final int STEPS_IN_FLIGHT = 64;
 
