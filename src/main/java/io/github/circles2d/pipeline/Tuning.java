@@ -60,7 +60,7 @@ public final class Tuning {
     public static final long SLICE_BYTES = 1L << 30;
 
     /** Pairs of the triangle that share a mark, {@code C2D_BLOCK}. 64 to 4,096. */
-    public static final int BLOCK = 256;
+    public static final int BLOCK = 64;
 
     /** Largest state that is read back in one transfer and then copied, bytes. 0 to 2^24; copying costs 1 ms for 2^22. */
     public static final long ONE_TRANSFER_BYTES = 1L << 20;
@@ -74,7 +74,7 @@ public final class Tuning {
     public static final int CPU_WORK_GROUP = 256;
 
     /** Work-items of a launch of one group, which scans cells or does a small world, on a GPU. 64 to 1,024. */
-    public static final int GPU_ONE_GROUP = 512;
+    public static final int GPU_ONE_GROUP = 1024;
 
     /** The same on a CPU, where one work-item after the other runs anyway. */
     public static final int CPU_ONE_GROUP = 1;
