@@ -62,6 +62,10 @@ final class Window {
         return window.get();
     }
 
+    JFrame frame() {
+        return frame;
+    }
+
     /** Runs the simulation in this thread until the end; false if it failed before its limit. */
     boolean run(Path picture, PrintStream out, PrintStream err) throws InterruptedException {
         try {
