@@ -102,11 +102,11 @@ final class Painter {
         }
     }
 
-    /** {@code t} = 0 gives {@code a}, 1 gives {@code b}. */
+    /** {@code t} = 0 gives {@code a}, 1 gives {@code b}. In eighths: the eye does not see it, and PNGs shrink to a third. */
     private static int mix(int a, int b, float t) {
-        int weight = (int) (256 * t);
-        int redBlue = (a & 0xFF00FF) * (256 - weight) + (b & 0xFF00FF) * weight >>> 8 & 0xFF00FF;
-        int green = (a & 0x00FF00) * (256 - weight) + (b & 0x00FF00) * weight >>> 8 & 0x00FF00;
+        int weight = Math.round(8 * t);
+        int redBlue = (a & 0xFF00FF) * (8 - weight) + (b & 0xFF00FF) * weight >>> 3 & 0xFF00FF;
+        int green = (a & 0x00FF00) * (8 - weight) + (b & 0x00FF00) * weight >>> 3 & 0x00FF00;
         return redBlue | green;
     }
 }
