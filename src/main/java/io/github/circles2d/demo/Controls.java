@@ -2,7 +2,6 @@ package io.github.circles2d.demo;
 
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
-import java.awt.Component;
 import java.awt.FlowLayout;
 import java.util.List;
 import java.util.Locale;
@@ -13,7 +12,6 @@ import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
-import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 
@@ -75,17 +73,9 @@ final class Controls extends JPanel {
         items.forEach(box::addItem);
         box.setSelectedItem(selected);
         box.setToolTipText(label);
-        box.setRenderer(new DefaultListCellRenderer() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public Component getListCellRendererComponent(
-                    JList<?> list, Object value, int index, boolean chosen, boolean focus) {
-
-                T item = items.get(index >= 0 ? index : box.getSelectedIndex());
-                return super.getListCellRendererComponent(list, text.apply(item), index, chosen, focus);
-            }
-        });
+        DefaultListCellRenderer cell = new DefaultListCellRenderer();
+        box.setRenderer((list, item, index, chosen, focus) ->
+                cell.getListCellRendererComponent(list, text.apply(item), index, chosen, focus));
         box.addActionListener(event -> restart());
         add(new JLabel("  " + label));
         add(box);

@@ -10,7 +10,7 @@ import java.util.function.Consumer;
  */
 final class Simulation {
     private static final long STEP_NANOS = 1_000_000_000L / 60;
-    /** Steps that a late frame makes up for; more time than that is dropped, or a slow device would never catch up. */
+    /** Steps that a late frame makes up for; more time than that is dropped. */
     private static final int MOST_STEPS = 3;
 
     private static final long REPORT_NANOS = 500_000_000L;
@@ -125,6 +125,11 @@ final class Simulation {
             steps += due;
             counted += due;
             busy += end - start;
+            if (end - start > due * STEP_NANOS) {
+                // slower than real time: catching up would only make the frames rarer
+                owed = 0;
+                time = end;
+            }
             if (end - reported >= REPORT_NANOS) {
                 millis = busy / 1e6 / counted;
                 contacts = world.stats().contacts();

@@ -2,6 +2,7 @@ package io.github.circles2d.demo;
 
 import java.awt.BorderLayout;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.EventQueue;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -16,6 +17,7 @@ import javax.swing.Timer;
 /** The window of the demo: controls above, circles, a status line below. */
 final class Window {
     private static final int STATUS_MILLIS = 500;
+    private static final int MIN_HEIGHT = 400;
 
     private final JFrame frame = new JFrame("Circles2D");
     private final Canvas canvas = new Canvas();
@@ -30,7 +32,8 @@ final class Window {
     private Window(Setup setup, int limit) {
         simulation = new Simulation(setup, limit, this::show);
         latest = new Simulation.View(Frame.EMPTY, setup, 0, 0, 0, "", false);
-        frame.add(new Controls(simulation, setup), BorderLayout.NORTH);
+        Controls controls = new Controls(simulation, setup);
+        frame.add(controls, BorderLayout.NORTH);
         frame.add(canvas, BorderLayout.CENTER);
         frame.add(status, BorderLayout.SOUTH);
         frame.setDefaultCloseOperation(JFrame.DO_NOTHING_ON_CLOSE);
@@ -43,6 +46,7 @@ final class Window {
             }
         });
         frame.pack();
+        frame.setMinimumSize(new Dimension(controls.getPreferredSize().width + 20, MIN_HEIGHT));
         frame.setLocationByPlatform(true);
         frame.setVisible(true);
         timer.start();

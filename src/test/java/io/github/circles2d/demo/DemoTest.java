@@ -89,12 +89,20 @@ class DemoTest {
     }
 
     @Test
-    void aWorldThatFitsNowhereIsStatusOne(@TempDir Path folder) throws Exception {
-        String line = "--headless --device host --circles 200000 --store triangle --steps 1 --screenshot "
-                + folder.resolve("a.png");
-        assertEquals(1, demo(line.split(" ")));
+    void aPreferredDeviceThatIsNotThereIsStatusOne() throws Exception {
+        String before = System.getProperty(ComputeDevice.PROPERTY);
+        System.setProperty(ComputeDevice.PROPERTY, "abacus");
+        try {
+            assertEquals(1, demo("--headless"));
+        } finally {
+            if (before == null) {
+                System.clearProperty(ComputeDevice.PROPERTY);
+            } else {
+                System.setProperty(ComputeDevice.PROPERTY, before);
+            }
+        }
         String message = err.toString(StandardCharsets.UTF_8);
-        assertTrue(message.contains("memory"), message);
+        assertTrue(message.startsWith("no device \"abacus\""), message);
     }
 
     @Test

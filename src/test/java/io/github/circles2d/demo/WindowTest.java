@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import io.github.circles2d.Circles2DException;
 import io.github.circles2d.CollisionStore;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
@@ -11,6 +12,7 @@ import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
@@ -33,14 +35,23 @@ class WindowTest {
         Assumptions.assumeFalse(GraphicsEnvironment.isHeadless(), "no display");
     }
 
-    private static Setup setup(int circles, CollisionStore store) {
-        return new Setup(Scene.GAS, circles, IndexStrategy.folded(), store, ComputeDevice.host());
+    private static final Scene BROKEN = new Scene("broken", 0, 0, 0, (world, circles) -> {
+        throw new Circles2DException("the device is gone");
+    });
+
+    private static Setup setup(Scene scene) {
+        return new Setup(scene, 50, IndexStrategy.folded(), CollisionStore.COMPACT, ComputeDevice.host());
+    }
+
+    private static void close(Window window) {
+        EventQueue.invokeLater(
+                () -> window.frame().dispatchEvent(new WindowEvent(window.frame(), WindowEvent.WINDOW_CLOSING)));
     }
 
     @Test
     void savesItsPictureAfterItsSteps(@TempDir Path folder) throws Exception {
         Path file = folder.resolve("window.png");
-        Window window = Window.open(setup(50, CollisionStore.COMPACT), 10);
+        Window window = Window.open(setup(Scene.GAS), 10);
         assertTrue(window.run(file, NOWHERE, NOWHERE));
         BufferedImage picture = ImageIO.read(file.toFile());
         int bright = 0;
@@ -54,18 +65,18 @@ class WindowTest {
 
     @Test
     void endsWhenItIsClosed() throws Exception {
-        Window window = Window.open(setup(50, CollisionStore.COMPACT), 0);
-        EventQueue.invokeLater(
-                () -> window.frame().dispatchEvent(new WindowEvent(window.frame(), WindowEvent.WINDOW_CLOSING)));
+        Window window = Window.open(setup(Scene.GAS), 0);
+        close(window);
         assertTrue(window.run(null, NOWHERE, NOWHERE));
         assertFalse(window.frame().isDisplayable());
     }
 
     @Test
     void aFailureEndsARunWithALimit(@TempDir Path folder) throws Exception {
-        Window window = Window.open(setup(200_000, CollisionStore.TRIANGLE), 10);
-        Path file = folder.resolve("window.png");
-        assertFalse(window.run(file, NOWHERE, NOWHERE));
+        Window window = Window.open(setup(BROKEN), 10);
+        ByteArrayOutputStream err = new ByteArrayOutputStream();
+        assertFalse(window.run(folder.resolve("window.png"), NOWHERE, new PrintStream(err, true)));
+        assertEquals("the device is gone" + System.lineSeparator(), err.toString());
         assertEquals(0, folder.toFile().list().length);
     }
 }
