@@ -37,7 +37,7 @@ final class StatusLine extends JPanel {
             // what is long comes last: a narrow window cuts it
             text.setText(String.format(
                     Locale.ROOT,
-                    "%.0f fps  \u00b7  %.2f ms a step  \u00b7  %,d circles  \u00b7  %,d contacts  \u00b7  %s",
+                    "%.1f fps  \u00b7  %.2f ms a step  \u00b7  %,d circles  \u00b7  %,d contacts  \u00b7  %s",
                     fps,
                     view.millis(),
                     setup.circles(),

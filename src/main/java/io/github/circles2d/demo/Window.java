@@ -103,7 +103,8 @@ final class Window {
     private void refresh() {
         Simulation.View view = latest;
         long now = System.nanoTime();
-        if (now - refreshed >= STATUS_MILLIS * 1_000_000L / 2) {
+        // a slow device paints less than a frame in that time
+        if (canvas.painted() > painted && now - refreshed >= STATUS_MILLIS * 1_000_000L / 2) {
             fps = (canvas.painted() - painted) * 1e9 / (now - refreshed);
             painted = canvas.painted();
             refreshed = now;
