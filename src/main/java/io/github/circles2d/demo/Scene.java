@@ -2,6 +2,7 @@ package io.github.circles2d.demo;
 
 import io.github.circles2d.CircleDef;
 import io.github.circles2d.Circles2D;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.BiConsumer;
 
@@ -53,14 +54,16 @@ public record Scene(
         }
     });
 
+    /** Every scene, the default first. */
+    public static final List<Scene> ALL = List.of(THESIS, GAS);
+
     /** The scene of a name. */
     public static Scene named(String name) {
-        for (Scene scene : new Scene[] {THESIS, GAS}) {
-            if (scene.name.equals(name)) {
-                return scene;
-            }
-        }
-        throw new IllegalArgumentException("scene = " + name + ": must be thesis or gas");
+        return ALL.stream()
+                .filter(scene -> scene.name.equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("scene = " + name + ": must be one of "
+                        + ALL.stream().map(Scene::name).toList()));
     }
 
     /** A world with the rules of the scene, room for this many circles and none in it. */

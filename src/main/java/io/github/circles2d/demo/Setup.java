@@ -1,0 +1,17 @@
+package io.github.circles2d.demo;
+
+import io.github.circles2d.Circles2D;
+import io.github.circles2d.CollisionStore;
+import io.github.circles2d.ComputeDevice;
+import io.github.circles2d.IndexStrategy;
+
+/** What a world of the demo is made of. */
+record Setup(Scene scene, int circles, IndexStrategy strategy, CollisionStore store, ComputeDevice device) {
+
+    /** A new world; the caller closes it. */
+    Circles2D build() {
+        Circles2D.Builder builder =
+                Circles2D.builder().device(device).indexStrategy(strategy).collisionStore(store);
+        return scene.build(builder, circles);
+    }
+}
