@@ -90,16 +90,27 @@ final class Detect {
     private Slice build(int count, long first, long pairs) {
         DeviceBuffer table =
                 new DeviceBuffer(session, "table of " + config.strategy().name());
-        long bytes = config.strategy().tableBytes(count, pairs);
-        table.ensure(bytes);
-        if (bytes > 0) {
-            table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
-        }
         DeviceBuffer collision = new DeviceBuffer(session, "collision");
-        collision.ensure(triangle ? 8 * pairs : 0);
-        Kernel detect = new Kernel(session, program, "c2d_detect");
-        Kernel collect = triangle ? new Kernel(session, program, "c2d_colour_collect") : null;
-        return new Slice(first, pairs, table, collision, detect, collect);
+        Kernel detect = null;
+        try {
+            long bytes = config.strategy().tableBytes(count, pairs);
+            table.ensure(bytes);
+            if (bytes > 0) {
+                table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
+            }
+            collision.ensure(triangle ? 8 * pairs : 0);
+            detect = new Kernel(session, program, "c2d_detect");
+            Kernel collect = triangle ? new Kernel(session, program, "c2d_colour_collect") : null;
+            return new Slice(first, pairs, table, collision, detect, collect);
+        } catch (RuntimeException e) {
+            // the caller may try again with fewer circles, and needs the room
+            if (detect != null) {
+                detect.close();
+            }
+            collision.close();
+            table.close();
+            throw e;
+        }
     }
 
     void run() {

@@ -17,14 +17,13 @@ public final class OpenClDevices {
 
     /** The devices of every platform; empty where there is no OpenCL. */
     public static List<OpenClDevice> list() {
-        ClApi api;
         try {
-            api = JoclApi.load();
+            return list(JoclApi.load());
         } catch (LinkageError | UnsupportedOperationException e) {
+            // no loader; or one without the functions that JOCL then calls
             LOG.log(System.Logger.Level.INFO, "no OpenCL on this machine ({0}); {1}", e, WITHOUT);
             return List.of();
         }
-        return list(api);
     }
 
     static List<OpenClDevice> list(ClApi api) {
