@@ -59,10 +59,13 @@ public final class OpenClDevices {
             status = api.getDeviceIDs(platform, CL.CL_DEVICE_TYPE_ALL, ids.length, ids, null);
         }
         if (status == CL.CL_DEVICE_NOT_FOUND) {
+            LOG.log(
+                    System.Logger.Level.INFO,
+                    "an OpenCL platform has no devices (PoCL says so when its cache folder cannot be written)");
             return;
         }
         if (status != CL.CL_SUCCESS) {
-            warn("an OpenCL platform gives no devices (PoCL does so when its cache folder cannot be written)", status);
+            warn("an OpenCL platform gives no devices", status);
             return;
         }
         for (cl_device_id id : ids) {
