@@ -89,7 +89,7 @@ final class DeviceBuffer implements AutoCloseable {
 
     private void release() {
         if (memory != null) {
-            session.api.releaseMemObject(memory);
+            Cl.checkRelease("clReleaseMemObject(" + name + ")", session.api.releaseMemObject(memory));
             memory = null;
             session.unbook(bytes);
             bytes = 0;
