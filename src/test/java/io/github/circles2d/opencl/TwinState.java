@@ -36,8 +36,8 @@ final class TwinState {
             state.circle.put(4 * i + 1, spot ? spotY : config.minY() + height * (float) random.nextDouble());
             state.circle.put(4 * i + 2, i == 0 ? largest : largest * (float) random.nextDouble(0.2, 1));
             state.circle.put(4 * i + 3, (float) Math.pow(10, random.nextDouble(-9, 9)));
-            // most of them slow, some faster than the world is wide
-            double speed = height * Math.pow(10, random.nextDouble(-4, i % 5 == 0 ? 3 : 0));
+            // those on one spot at rest, most of them slow, some faster than the world is wide
+            double speed = spot ? 0 : height * Math.pow(10, random.nextDouble(-4, i % 5 == 0 ? 3 : 0));
             double angle = random.nextDouble(0, 2 * Math.PI);
             state.velocities.put(2 * i, (float) (speed * Math.cos(angle)));
             state.velocities.put(2 * i + 1, (float) (speed * Math.sin(angle)));
