@@ -144,6 +144,21 @@ class LifecycleTest {
         }
     }
 
+    /** Straight after steps that nobody has waited for: their result stays, only the velocity changes. */
+    @ParameterizedTest
+    @MethodSource("io.github.circles2d.TestDevices#both")
+    void velocitySetBehindQueuedSteps(Supplier<ComputeDevice> device) {
+        try (Circles2D world = Circles2D.builder().device(device.get()).build()) {
+            world.addCircle(0.5f, 0.9f, 0.05f, 1);
+            world.step(30);
+            world.setVelocity(0, 0.25f, 0.5f);
+            Snapshot now = world.snapshot();
+            assertEquals(0.9 - 1.0 / 8, now.y(0), 1e-6);
+            assertEquals(0.25f, now.vx(0));
+            assertEquals(0.5f, now.vy(0));
+        }
+    }
+
     private static Circles2D changing(ComputeDevice device, CollisionStore store) {
         return Circles2D.builder()
                 .device(device)
