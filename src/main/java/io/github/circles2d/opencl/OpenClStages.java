@@ -17,7 +17,7 @@ final class OpenClStages implements Stages {
     private final WorldConfig config;
     private final Session session;
     private final State state;
-    private final Contacts contacts;
+    final Contacts contacts;
     private final int group;
     private final int oneGroup;
     private Boolean wide;
