@@ -16,7 +16,8 @@ final class Detect {
     private final class Slice {
         final long first;
         final long pairs;
-        final DeviceBuffer table = new DeviceBuffer(session, "table of " + config.strategy().name());
+        final DeviceBuffer table =
+                new DeviceBuffer(session, "table of " + config.strategy().name());
         final DeviceBuffer collision = new DeviceBuffer(session, "collision");
         final DeviceBuffer mark = new DeviceBuffer(session, "mark");
         Kernel detect;

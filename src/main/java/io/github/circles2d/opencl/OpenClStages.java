@@ -103,6 +103,7 @@ final class OpenClStages implements Stages {
 
     @Override
     public void update() {
+        state.changes();
         update.run();
     }
 
@@ -126,6 +127,7 @@ final class OpenClStages implements Stages {
 
     @Override
     public void resolve() {
+        state.changes();
         if (small()) {
             resolve.runSmall();
         } else {

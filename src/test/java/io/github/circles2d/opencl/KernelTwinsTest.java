@@ -67,7 +67,11 @@ class KernelTwinsTest {
         Map<Integer, List<TwinContact>> lists = TwinContact.byOwner(found, updated, cells);
         TwinContact.checkColours(lists, cells);
         if (like.count > twin.smallWorld()) {
-            assertEquals(lists, TwinContact.onDevice(device.contacts, found, cells.cells()), where + ", lists");
+            float restitution = twin.config().restitution();
+            assertEquals(
+                    lists,
+                    TwinContact.onDevice(device.contacts, found, updated, cells, restitution),
+                    where + ", lists");
         }
         device.resolve();
         host.resolve();

@@ -1,13 +1,14 @@
 package io.github.circles2d.opencl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.pipeline.CellGrid;
 import io.github.circles2d.pipeline.Stages;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -24,18 +25,11 @@ record TwinContact(int i, int j, int x, int y) {
     /** The contacts of the last detect, in the order they were found in. */
     static List<TwinContact> found(Stages stages) {
         int count = Math.toIntExact(stages.await().contacts());
-        IntBuffer pairs = ByteBuffer.allocateDirect(8 * count)
-                .order(ByteOrder.nativeOrder())
-                .asIntBuffer();
-        FloatBuffer translations = TwinState.direct(2 * count);
-        stages.contacts(0, count, pairs, translations);
+        IntBuffer ints = direct(4 * count);
+        stages.contacts(0, count, ints);
         List<TwinContact> contacts = new ArrayList<>();
-        for (int k = 0; k < count; k++) {
-            contacts.add(new TwinContact(
-                    pairs.get(2 * k),
-                    pairs.get(2 * k + 1),
-                    Float.floatToRawIntBits(translations.get(2 * k)),
-                    Float.floatToRawIntBits(translations.get(2 * k + 1))));
+        for (int at = 0; at < 4 * count; at += 4) {
+            contacts.add(new TwinContact(ints.get(at), ints.get(at + 1), ints.get(at + 2), ints.get(at + 3)));
         }
         return contacts;
     }
@@ -58,26 +52,52 @@ record TwinContact(int i, int j, int x, int y) {
         return lists;
     }
 
-    /** The lists that the device holds. */
-    static Map<Integer, List<TwinContact>> onDevice(Contacts buffers, List<TwinContact> found, int cells) {
-        IntBuffer head = read(buffers.head, cells);
-        IntBuffer next = read(buffers.next, found.size());
+    /** The lists that the device holds, each contact checked to be ready to be resolved. */
+    static Map<Integer, List<TwinContact>> onDevice(
+            Contacts buffers, List<TwinContact> found, TwinState state, CellGrid cells, float restitution) {
+        Map<Long, TwinContact> byPair = new HashMap<>();
+        found.forEach(contact -> byPair.put(IndexStrategy.pack(contact.i, contact.j), contact));
+        IntBuffer start = read(buffers.cellStart, cells.cells());
+        IntBuffer ready = read(buffers.contact, 8 * found.size());
         Map<Integer, List<TwinContact>> lists = new TreeMap<>();
-        int linked = 0;
-        for (int cell = 0; cell < cells; cell++) {
-            for (int k = head.get(cell); k != -1; k = next.get(k)) {
-                lists.computeIfAbsent(cell, c -> new ArrayList<>()).add(found.get(k));
-                assertTrue(++linked <= found.size(), "a list goes round in circles");
+        for (int cell = 0; cell < cells.cells(); cell++) {
+            int end = cell + 1 < cells.cells() ? start.get(cell + 1) : found.size();
+            for (int k = start.get(cell); k < end; k++) {
+                TwinContact contact = byPair.get(IndexStrategy.pack(ready.get(8 * k), ready.get(8 * k + 1)));
+                assertNotNull(contact, "contact " + k + " was not found by detect");
+                for (int word = 2; word < 8; word++) {
+                    assertEquals(
+                            Float.floatToIntBits(contact.ready(state, restitution)[word - 2]),
+                            Float.floatToIntBits(Float.intBitsToFloat(ready.get(8 * k + word))),
+                            "word " + word + " of " + contact);
+                }
+                lists.computeIfAbsent(cell, c -> new ArrayList<>()).add(contact);
             }
         }
-        assertEquals(found.size(), linked, "contacts in lists");
         return lists;
     }
 
-    private static IntBuffer read(DeviceBuffer from, int count) {
-        IntBuffer to = ByteBuffer.allocateDirect(4 * count)
+    /** Normal, moves and gains, by the rule of Solver.IMPULSE. */
+    private float[] ready(TwinState state, float restitution) {
+        float tx = Float.intBitsToFloat(x);
+        float ty = Float.intBitsToFloat(y);
+        float depth = (float) Math.sqrt(tx * tx + ty * ty);
+        float inverseI = 1 / state.circle.get(4 * i + 3);
+        float inverseJ = 1 / state.circle.get(4 * j + 3);
+        float shareI = inverseI / (inverseI + inverseJ);
+        float shareJ = inverseJ / (inverseI + inverseJ);
+        float bounce = 1 + restitution;
+        return new float[] {tx / depth, ty / depth, depth * shareI, depth * shareJ, bounce * shareI, bounce * shareJ};
+    }
+
+    private static IntBuffer direct(int ints) {
+        return ByteBuffer.allocateDirect(4 * ints)
                 .order(ByteOrder.nativeOrder())
                 .asIntBuffer();
+    }
+
+    private static IntBuffer read(DeviceBuffer from, int count) {
+        IntBuffer to = direct(count);
         from.read(0, to, 4L * count);
         return to;
     }

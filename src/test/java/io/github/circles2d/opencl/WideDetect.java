@@ -45,41 +45,41 @@ final class WideDetect {
                             Program.file("common.cl"),
                             Map.entry("index.cl", strategy.kernelSource()),
                             Program.file("detect.cl"),
+                            Program.file("contact.cl"),
                             Program.file("colour.cl")));
             DeviceBuffer circle = upload(session, "circle", row(circles), 16L * circles);
             DeviceBuffer status = upload(session, "status", bytes(12).asIntBuffer(), 12);
             ByteBuffer table = table(strategy, circles, pairs);
             DeviceBuffer tableBuffer = upload(session, "table", table, table.capacity());
-            DeviceBuffer contactPair = room(session, "contactPair", 8L * circles);
-            DeviceBuffer contactTranslation = room(session, "contactTranslation", 8L * circles);
-            DeviceBuffer collision = room(session, "collision", 8 * pairs);
+            DeviceBuffer found = room(session, "found", Contacts.BYTES * circles);
+            Object[] slice = {tableBuffer, status, circles, 0L, pairs};
+            Object[] list = {found, circles};
             if (triangle) {
+                DeviceBuffer collision = room(session, "collision", 8 * pairs);
+                // all zero, which is the number of a step without an update: every block is marked
+                DeviceBuffer mark = upload(session, "mark", bytes(4 * pairs).asIntBuffer(), 4 * pairs);
                 new Kernel(session, program, "c2d_detect")
-                        .arguments(circle, tableBuffer, status, circles, 0L, pairs, collision)
+                        .arguments(circle, slice, collision, mark)
+                        .range(pairs, 32)
+                        .launch();
+                new Kernel(session, program, "c2d_colour_collect")
+                        .arguments(collision, mark, slice, list)
+                        .range(pairs, 32)
+                        .launch();
+            } else {
+                new Kernel(session, program, "c2d_detect")
+                        .arguments(circle, slice, list)
                         .range(pairs, 32)
                         .launch();
             }
-            new Kernel(session, program, triangle ? "c2d_colour_collect" : "c2d_detect")
-                    .arguments(
-                            triangle ? collision : circle,
-                            tableBuffer,
-                            status,
-                            circles,
-                            0L,
-                            pairs,
-                            contactPair,
-                            contactTranslation,
-                            circles)
-                    .range(pairs, 32)
-                    .launch();
             IntBuffer count = bytes(4).asIntBuffer();
             status.read(0, count, 4);
             int contacts = Math.min(count.get(0), circles);
-            IntBuffer found = bytes(8L * circles).asIntBuffer();
-            contactPair.read(0, found, 8L * contacts);
+            IntBuffer copy = bytes(Contacts.BYTES * circles).asIntBuffer();
+            found.read(0, copy, Contacts.BYTES * contacts);
             Set<Long> result = new TreeSet<>();
             for (int k = 0; k < contacts; k++) {
-                result.add(IndexStrategy.pack(found.get(2 * k), found.get(2 * k + 1)));
+                result.add(IndexStrategy.pack(copy.get(4 * k), copy.get(4 * k + 1)));
             }
             return result;
         }
