@@ -147,7 +147,10 @@ final class FaultyClApi implements InvocationHandler {
             live.remove(args[0]);
         } else if (name.equals("enqueueNDRangeKernel")) {
             launched.add(live.get(args[1]));
-        } else if (name.equals("setKernelArg") && field(args[3], "pointers") instanceof NativePointerObject[] to) {
+        } else if (name.equals("setKernelArg")
+                // local memory has a size and no pointer
+                && args[3] != null
+                && field(args[3], "pointers") instanceof NativePointerObject[] to) {
             kernelBuffers.computeIfAbsent(args[0], kernel -> new HashMap<>()).put((Integer) args[1], to[0]);
         } else if (name.equals("getDeviceInfo") && limits.containsKey(args[1])) {
             ((LongBuffer) field(args[3], "buffer")).put(0, limits.get(args[1]));
