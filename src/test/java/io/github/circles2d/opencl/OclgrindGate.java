@@ -70,8 +70,8 @@ public final class OclgrindGate {
             agree(Scene.THESIS, circles, 2, IndexStrategy.folded(), CollisionStore.COMPACT, 0, 0);
         }
         for (CollisionStore store : CollisionStore.values()) {
-            agree(pile(), 72, 3, IndexStrategy.rowSearch(), store, 0, 4096);
-            agree(pile(), 72, 3, IndexStrategy.rowSearch(), store, 1000, 0);
+            agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 0, 4096);
+            agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 1000, 0);
         }
         require(device.deterministic(), "the arithmetic of plain Java");
         require(books.misuses().isEmpty() && books.live().isEmpty(), "nothing left: " + books.live() + books.misuses());
@@ -82,7 +82,7 @@ public final class OclgrindGate {
         System.out.println("gate: " + worlds + " worlds agree with the host; ran " + books.launched());
     }
 
-    /** Every circle in every other: 2,556 contacts, more than a world of 72 first has room for. */
+    /** Every circle in every other: 1,326 contacts, more than a world of 52 first has room for. */
     private static Scene pile() {
         return new Scene("pile", 0, -1, 0.5f, (world, circles) -> {
             for (int i = 0; i < circles; i++) {
