@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-import io.github.circles2d.pipeline.Stages;
+import io.github.circles2d.pipeline.DeviceState;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -10,13 +10,13 @@ import java.nio.IntBuffer;
 final class StatsReader {
     private static final int CONTACTS = 1 << 14;
 
-    private final Stages stages;
+    private final DeviceState stages;
     private final WorldConfig config;
     private final IntBuffer contact = ByteBuffer.allocateDirect(16 * CONTACTS)
             .order(ByteOrder.nativeOrder())
             .asIntBuffer();
 
-    StatsReader(Stages stages, WorldConfig config) {
+    StatsReader(DeviceState stages, WorldConfig config) {
         this.stages = stages;
         this.config = config;
     }
@@ -24,6 +24,7 @@ final class StatsReader {
     StepStats read(long steps, long contacts, CircleState state) {
         double deepest = 0;
         double sum = 0;
+        long touching = 0;
         for (int from = 0; from < contacts; from += CONTACTS) {
             int part = (int) Math.min(CONTACTS, contacts - from);
             stages.contacts(from, part, contact);
@@ -32,6 +33,7 @@ final class StatsReader {
                 float x = Float.intBitsToFloat(contact.get(4 * k + 2));
                 float y = Float.intBitsToFloat(contact.get(4 * k + 3));
                 double overlap = Math.hypot(x, y) / smaller;
+                touching += x != 0 || y != 0 ? 1 : 0;
                 deepest = Math.max(deepest, overlap);
                 sum += overlap;
             }
@@ -51,12 +53,19 @@ final class StatsReader {
             fastest = Math.max(fastest, Math.hypot(vx, vy));
             outside += inside(state.x(slot), state.y(slot), state.radius(slot)) ? 0 : 1;
         }
-        double mean = contacts == 0 ? 0 : sum / contacts;
-        return new StepStats(steps, contacts, deepest, mean, energy, momentumX, momentumY, fastest, outside);
+        double mean = touching == 0 ? 0 : sum / touching;
+        return new StepStats(steps, touching, deepest, mean, energy, momentumX, momentumY, fastest, outside);
     }
 
     /** In the arithmetic of the walls; NaN is outside. */
     private boolean inside(float x, float y, float radius) {
+        if (config.solver() == Solver.SMALL_STEPS) {
+            float half = 0.5f * radius;
+            return x >= config.minX() + half
+                    && x <= config.maxX() - half
+                    && y >= config.minY() + half
+                    && y <= config.maxY() - half;
+        }
         return x >= config.minX() + radius
                 && x <= config.maxX() - radius
                 && y >= config.minY() + radius

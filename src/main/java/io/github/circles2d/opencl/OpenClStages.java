@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.CollisionStore;
 import io.github.circles2d.pipeline.CellGrid;
 import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Stages;
@@ -56,7 +55,7 @@ final class OpenClStages implements Stages {
                 session,
                 Map.of(
                         "C2D_WIDE", wanted ? 1 : 0,
-                        "C2D_TRIANGLE", config.store() == CollisionStore.TRIANGLE ? 1 : 0,
+                        "C2D_TRIANGLE", config.triangle() ? 1 : 0,
                         "C2D_BLOCK", Tuning.BLOCK),
                 List.of(
                         Program.file("common.cl"),
