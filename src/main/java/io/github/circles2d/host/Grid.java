@@ -46,8 +46,7 @@ final class Grid {
             int at = Levels.INTS * state.level[d];
             int shift = levels.table[at + Levels.SHIFT];
             int to = --start[levels.bucket(at, state.cell[c] >> shift, state.cell[c + 1] >> shift)];
-            System.arraycopy(
-                    state.body, SmallState.BODY * place[d], sorted, SmallState.BODY * to, SmallState.BODY);
+            System.arraycopy(state.body, SmallState.BODY * place[d], sorted, SmallState.BODY * to, SmallState.BODY);
             sortedId[to] = d;
         }
         float[] swap = state.body;

@@ -26,8 +26,7 @@ final class PairSource {
     }
 
     private void prepare(int circles) {
-        Slices wanted =
-                Slices.of(circles, config.pairsPerSlice() > 0 ? config.pairsPerSlice() : PAIRS_PER_SLICE);
+        Slices wanted = Slices.of(circles, config.pairsPerSlice() > 0 ? config.pairsPerSlice() : PAIRS_PER_SLICE);
         slices = Slices.NONE;
         tables = new ByteBuffer[wanted.count()];
         for (int s = 0; s < wanted.count(); s++) {

@@ -80,9 +80,8 @@ final class Solve {
         add(b, -(wb * share), -(wb * (impulse - come)), nx, ny);
         float next = 0;
         if (!bounced && impulse > 0) {
-            float beta = larger > n[Substeps.UNEVEN] * smaller
-                    ? n[Substeps.EXTRAPOLATE_UNEVEN]
-                    : n[Substeps.EXTRAPOLATE];
+            float beta =
+                    larger > n[Substeps.UNEVEN] * smaller ? n[Substeps.EXTRAPOLATE_UNEVEN] : n[Substeps.EXTRAPOLATE];
             beta = -gap > n[Substeps.DEEP] * smaller ? 0 : beta;
             next = extrapolated(impulse, last, beta, n[Substeps.IMPULSE_MOST]);
             body[a + SmallState.KICK_X] += wa * next * nx;

@@ -110,7 +110,7 @@ public final class OpenClDevice implements Device {
 
     @Override
     public SmallStages openSmall(WorldConfig config) {
-        throw new UnsupportedOperationException();
+        return new OpenClSmallStages(this, config);
     }
 
     boolean isGpu() {

@@ -92,7 +92,8 @@ public record Substeps(int count, float seconds, float[] numbers) {
         double g = Math.sqrt(gx * gx + gy * gy);
         double deep = 0;
         if (g > 0) {
-            double width = ((config.maxX() - (double) config.minX()) * gy + (config.maxY() - (double) config.minY()) * gx) / g;
+            double width =
+                    ((config.maxX() - (double) config.minX()) * gy + (config.maxY() - (double) config.minY()) * gx) / g;
             double height = population.area() / (Tuning.PILE_DENSITY * width);
             double r = population.meanRadius();
             deep = config.timeStep() * Math.sqrt(height * g / (1.8 * r * r * Tuning.AUTO_DEPTH));
