@@ -28,7 +28,7 @@ final class Detect {
 
     /** Makes the look-up tables and the triangle for as many circles as there are. */
     void prepare() {
-        if (slices.circles() == state.circles) {
+        if (slices.circles() == state.circles || !config.strategy().pairwise()) {
             return;
         }
         long most = config.pairsPerSlice() > 0 ? config.pairsPerSlice() : PAIRS_PER_SLICE;
@@ -80,7 +80,7 @@ final class Detect {
      * The minimum translation vector, from i to j: as long as the overlap, along the line of centres. Goes to the
      * triangle if there is one, else to the contacts.
      */
-    private void pair(int i, int j, float[] triangle, int at) {
+    void pair(int i, int j, float[] triangle, int at) {
         float[] circle = state.circle;
         float dx = circle[4 * j] - circle[4 * i];
         float dy = circle[4 * j + 1] - circle[4 * i + 1];
