@@ -24,7 +24,10 @@ static int c2d_scan_part(__global int *values, int first, int end, __local int *
     return sum;
 }
 
-__kernel void c2d_scan_parts(__global int *values, int count, __global int *partSums, __local int *sums) {
+__kernel void c2d_scan_parts(__global int *values, int all, __global int *partSums, __global const uint *status,
+                             __local int *sums) {
+    // in a step that has stalled, these are the values of the detection before: they are still needed
+    const int count = status[C2D_STALLED] != 0u ? 0 : all;
     const int first = min((int)get_global_id(0) * C2D_SCAN, count);
     const int sum = c2d_scan_part(values, first, min(first + C2D_SCAN, count), sums);
     if (get_local_id(0) == get_local_size(0) - 1) {
@@ -44,9 +47,10 @@ __kernel void c2d_scan_sums(__global int *partSums, int parts, __global uint *st
     }
 }
 
-__kernel void c2d_scan_add(__global int *values, int count, __global const int *partSums, int perPart) {
+__kernel void c2d_scan_add(__global int *values, int count, __global const int *partSums,
+                           __global const uint *status, int perPart) {
     const int k = (int)get_global_id(0);
-    if (k >= perPart && k < count) {
+    if (k >= perPart && k < count && status[C2D_STALLED] == 0u) {
         values[k] += partSums[k / perPart - 1];
     }
 }

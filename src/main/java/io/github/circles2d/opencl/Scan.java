@@ -16,7 +16,7 @@ final class Scan {
 
     void bind(DeviceBuffer values, int count, State state, SmallBuffers buffers, int group, int oneGroup) {
         parts.range((count + Tuning.SCAN - 1L) / Tuning.SCAN, group)
-                .arguments(values, count, buffers.partSums, new Kernel.Local(4L * parts.group()));
+                .arguments(values, count, buffers.partSums, state.status, new Kernel.Local(4L * parts.group()));
         sums.range(1, oneGroup)
                 .arguments(
                         buffers.partSums,
@@ -24,7 +24,7 @@ final class Scan {
                         state.status,
                         buffers.capacity(),
                         new Kernel.Local(4L * sums.group()));
-        add.range(count, group).arguments(values, count, buffers.partSums, Tuning.SCAN * parts.group());
+        add.range(count, group).arguments(values, count, buffers.partSums, state.status, Tuning.SCAN * parts.group());
     }
 
     void run() {
