@@ -8,13 +8,16 @@ import io.github.circles2d.pipeline.WorldConfig;
 final class Find {
     private final SmallState state;
     private final SmallContacts contacts;
+    private final Workers workers;
+    private final Workers.Work work = this::part;
     private final PairSource pairs;
     private float horizon;
     private float fall;
 
-    Find(WorldConfig config, SmallState state, SmallContacts contacts) {
+    Find(WorldConfig config, SmallState state, SmallContacts contacts, Workers workers) {
         this.state = state;
         this.contacts = contacts;
+        this.workers = workers;
         pairs = config.strategy().pairwise() ? new PairSource(config) : null;
     }
 
@@ -26,8 +29,12 @@ final class Find {
             pairs.forEach(state.circles, this::pair);
             return;
         }
-        for (int i = 0; i < state.circles; i++) {
-            neighbours(i);
+        workers.run(state.circles, work);
+    }
+
+    private void part(int part, int from, int end) {
+        for (int i = from; i < end; i++) {
+            neighbours(i, contacts.found[part]);
         }
     }
 
@@ -44,12 +51,16 @@ final class Find {
         int otherY = cell[cj + 1] >> shift;
         if (Math.abs(x - otherX) <= 1 && Math.abs(y - otherY) <= 1 && near(i, j)) {
             boolean lower = y < otherY || y == otherY && x <= otherX;
-            append(i, j, lower ? state.levels.owner(at, x, y) : state.levels.owner(at, otherX, otherY));
+            append(
+                    contacts.found[0],
+                    i,
+                    j,
+                    lower ? state.levels.owner(at, x, y) : state.levels.owner(at, otherX, otherY));
         }
     }
 
     /** {@code c2d_find}: circle i looks into half of the cells around its own, and into all of those of wider levels. */
-    private void neighbours(int i) {
+    private void neighbours(int i, SmallContacts.Found found) {
         Levels levels = state.levels;
         int c = SmallState.CELL * state.id[i];
         int own = state.cell[c + 2];
@@ -74,7 +85,7 @@ final class Find {
                     for (int j = first; j < state.bucketStart[bucket + 1]; j++) {
                         if (near(i, j) && in(j, otherX, otherY, shift)) {
                             boolean lower = dy > 0 || dy == 0 && dx >= 0;
-                            append(i, j, lower ? owner : levels.owner(at, otherX, otherY));
+                            append(found, i, j, lower ? owner : levels.owner(at, otherX, otherY));
                         }
                     }
                 }
@@ -105,11 +116,8 @@ final class Find {
         return dx * dx + dy * dy < reach * reach;
     }
 
-    private void append(int i, int j, int owner) {
-        if (state.id[i] < state.id[j]) {
-            contacts.append(i, j, owner);
-        } else {
-            contacts.append(j, i, owner);
-        }
+    private void append(SmallContacts.Found found, int i, int j, int owner) {
+        boolean inOrder = state.id[i] < state.id[j];
+        found.append(inOrder ? i : j, inOrder ? j : i, owner);
     }
 }

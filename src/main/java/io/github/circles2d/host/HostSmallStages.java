@@ -11,7 +11,8 @@ import java.nio.IntBuffer;
 /** The stages of one world of small steps in plain Java. Nothing queues up: every call is done when it returns. */
 public final class HostSmallStages implements SmallStages {
     private final SmallState state = new SmallState();
-    private final SmallContacts contacts = new SmallContacts();
+    private final Workers workers = new Workers();
+    private final SmallContacts contacts = new SmallContacts(workers.most());
     private final Grid grid;
     private final Find find;
     private final Match match;
@@ -21,10 +22,10 @@ public final class HostSmallStages implements SmallStages {
 
     public HostSmallStages(WorldConfig config) {
         grid = new Grid(config, state);
-        find = new Find(config, state, contacts);
-        match = new Match(state, contacts);
-        integrate = new Integrate(state);
-        solve = new Solve(state, contacts);
+        find = new Find(config, state, contacts, workers);
+        match = new Match(state, contacts, workers);
+        integrate = new Integrate(state, workers);
+        solve = new Solve(state, contacts, workers);
     }
 
     @Override

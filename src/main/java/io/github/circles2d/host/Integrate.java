@@ -5,20 +5,31 @@ import io.github.circles2d.pipeline.Substeps;
 /** Twin of {@code kernels/integrate.cl}: a substep's share of each circle alone. */
 final class Integrate {
     private final SmallState state;
+    private final Workers workers;
+    private final Workers.Work work = this::part;
+    private boolean moves;
+    private boolean kicks;
     private float[] n;
 
-    Integrate(SmallState state) {
+    Integrate(SmallState state, Workers workers) {
         this.state = state;
+        this.workers = workers;
     }
 
     void run(boolean move, boolean kick) {
         n = state.substeps.numbers();
-        for (int i = 0; i < state.circles; i++) {
-            if (move) {
+        moves = move;
+        kicks = kick;
+        workers.run(state.circles, work);
+    }
+
+    private void part(int part, int from, int end) {
+        for (int i = from; i < end; i++) {
+            if (moves) {
                 walls(i);
                 move(i);
             }
-            if (kick) {
+            if (kicks) {
                 kick(i);
             }
         }

@@ -10,30 +10,50 @@ final class Match {
     private final SmallState state;
     private final SmallContacts contacts;
 
-    Match(SmallState state, SmallContacts contacts) {
+    private final Workers workers;
+    private final Workers.Work work = this::part;
+
+    Match(SmallState state, SmallContacts contacts, Workers workers) {
         this.state = state;
         this.contacts = contacts;
+        this.workers = workers;
     }
 
     void run() {
         contacts.matchRoom();
         int[] start = contacts.ownerStart;
         int owners = state.levels.cells;
+        for (SmallContacts.Found found : contacts.found) {
+            for (int k = 0; k < found.count; k++) {
+                start[found.owner[k]]++;
+            }
+        }
         for (int owner = 1; owner <= owners; owner++) {
             start[owner] += start[owner - 1];
         }
-        for (int k = contacts.count - 1; k >= 0; k--) {
-            int to = --start[contacts.foundOwner[k]];
-            contacts.pair[2 * to] = contacts.found[2 * k];
-            contacts.pair[2 * to + 1] = contacts.found[2 * k + 1];
+        // each takes the last free place of its owner, which leaves the start at the first
+        for (SmallContacts.Found found : contacts.found) {
+            for (int k = 0; k < found.count; k++) {
+                int to = --start[found.owner[k]];
+                contacts.pair[2 * to] = found.pair[2 * k];
+                contacts.pair[2 * to + 1] = found.pair[2 * k + 1];
+            }
         }
-        for (int owner = 0; owner < owners; owner++) {
-            sort(start[owner], start[owner + 1]);
+        workers.run(contacts.count, work);
+        state.levelsBefore = state.levels;
+    }
+
+    private void part(int part, int from, int end) {
+        int owners = state.levels.cells;
+        int owner = contacts.ownerFrom(from, 0, owners);
+        int last = contacts.ownerFrom(end, 0, owners);
+        int first = contacts.ownerStart[owner];
+        for (; owner < last; owner++) {
+            sort(contacts.ownerStart[owner], contacts.ownerStart[owner + 1]);
         }
-        for (int k = 0; k < contacts.count; k++) {
+        for (int k = first; k < contacts.ownerStart[last]; k++) {
             remember(k);
         }
-        state.levelsBefore = state.levels;
     }
 
     /** By the numbers of the circles; lists are short. */

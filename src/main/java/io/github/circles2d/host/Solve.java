@@ -1,5 +1,6 @@
 package io.github.circles2d.host;
 
+import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Substeps;
 import java.nio.IntBuffer;
 
@@ -7,16 +8,38 @@ import java.nio.IntBuffer;
 final class Solve {
     private final SmallState state;
     private final SmallContacts contacts;
+    private final Workers workers;
+    private final Workers.Work work = this::part;
     private float[] n;
+    private int firstOwner;
+    private int endOwner;
 
-    Solve(SmallState state, SmallContacts contacts) {
+    Solve(SmallState state, SmallContacts contacts, Workers workers) {
         this.state = state;
         this.contacts = contacts;
+        this.workers = workers;
     }
 
+    /** A level and a colour at a time: owners of one colour share no circle. */
     void run() {
         n = state.substeps.numbers();
-        for (int k = 0; k < contacts.count; k++) {
+        Levels levels = state.levels;
+        for (int at = 0; at < levels.table.length; at += Levels.INTS) {
+            int owners = levels.table[at + Levels.OWNERS];
+            for (int colour = 0; colour < Levels.COLOURS; colour++) {
+                firstOwner = levels.table[at + Levels.BASE] + colour * owners;
+                endOwner = firstOwner + owners;
+                int items = contacts.ownerStart[endOwner] - contacts.ownerStart[firstOwner];
+                workers.run(items, work);
+            }
+        }
+    }
+
+    private void part(int part, int from, int end) {
+        int first = contacts.ownerStart[firstOwner];
+        int k = contacts.ownerStart[contacts.ownerFrom(first + from, firstOwner, endOwner)];
+        int last = contacts.ownerStart[contacts.ownerFrom(first + end, firstOwner, endOwner)];
+        for (; k < last; k++) {
             visit(k);
         }
     }

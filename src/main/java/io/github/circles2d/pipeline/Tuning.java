@@ -166,5 +166,8 @@ public final class Tuning {
     /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64. */
     public static final int SCAN = 8;
 
+    /** Fewest circles or contacts that plain Java gives to another thread: waking one takes some 20 us. 500 to 10,000. */
+    public static final int HOST_ITEMS = 2000;
+
     private Tuning() {}
 }
