@@ -80,6 +80,29 @@ __kernel void c2d_solve(__global float8 *body, __global const float2 *kicked, __
     }
 }
 
+// The levels from `firstLevel` on, all of their colours, in one launch of one work-group: where owners are few, launches would
+// cost more than the work.
+__kernel void c2d_solve_narrow(__global float8 *body, __global const float2 *kicked, __global const int2 *pair,
+                               __global const int2 *ids, __global float2 *memory, __global const int *ownerStart,
+                               __global const uint *status, __global const float *rule, __global const int8 *levels,
+                               int firstLevel, int levelCount) {
+    const bool stalled = status[C2D_STALLED] != 0u;
+    for (int number = firstLevel; number < levelCount; number++) {
+        const int owners = stalled ? 0 : levels[number].C2D_OWNERS;
+        const int base = levels[number].C2D_BASE;
+        for (int colour = 0; colour < 6; colour++) {
+            const int first = base + colour * owners;
+            for (int item = (int)get_local_id(0); item < owners; item += (int)get_local_size(0)) {
+                const int end = ownerStart[first + item + 1];
+                for (int k = ownerStart[first + item]; k < end; k++) {
+                    c2d_visit((uint)k, body, kicked, pair, ids, memory, rule);
+                }
+            }
+            barrier(CLK_GLOBAL_MEM_FENCE);
+        }
+    }
+}
+
 static float2 c2d_rescaled(float come, float last, float ratio) {
     return (float2)(come * ratio, last > 0.0f ? last * ratio : last);
 }

@@ -47,7 +47,7 @@ class SmallStepsSameBitsTest {
     void everyStepHasTheSameBitsOnBothDevices(int circles) {
         for (int seed = 0; seed < (circles < 1000 ? 4 : 1); seed++) {
             try (Circles2D host = builder(ComputeDevice.host()).build();
-                    Circles2D device = builder(openCl).build()) {
+                    Circles2D device = builder(openCl).smallWorld(seed).build()) {
                 addRandom(host, new SplittableRandom(seed), circles);
                 addRandom(device, new SplittableRandom(seed), circles);
                 for (int step = 1; step <= 10; step++) {
@@ -74,10 +74,25 @@ class SmallStepsSameBitsTest {
     }
 
     private static long hash(String scene, ComputeDevice device, IndexStrategy strategy, int group) {
-        Circles2D.Builder builder = builder(device).workGroup(group).indexStrategy(strategy);
+        // with odd groups, every colour of every level is a launch
+        int small = group % 2 == 0 ? 4096 : 0;
+        Circles2D.Builder builder =
+                builder(device).workGroup(group).smallWorld(small).indexStrategy(strategy);
         try (Circles2D world = Scene.named(scene).build(builder, 300)) {
             world.step(120);
             return world.stateHash();
+        }
+    }
+
+    @Test
+    void aWorldLargeEnoughForSeveralThreadsAndLaunchesHasThem() {
+        Circles2D.Builder host = builder(ComputeDevice.host());
+        Circles2D.Builder device = builder(openCl);
+        try (Circles2D one = Scene.PILE.build(host, 12_000);
+                Circles2D other = Scene.PILE.build(device, 12_000)) {
+            one.step(10);
+            other.step(10);
+            assertEquals(one.stateHash(), other.stateHash());
         }
     }
 

@@ -181,7 +181,7 @@ final class OpenClSmallStages implements SmallStages {
         one.find.bind(state, buffers, now, levels, group);
         one.match.bind(state, buffers, now, before, levels, group, oneGroup);
         one.integrate.bind(state, buffers, now, group);
-        one.solve.bind(state, buffers, now, levels, group);
+        one.solve.bind(config, state, buffers, now, levels, group, oneGroup);
         one.bound = true;
     }
 

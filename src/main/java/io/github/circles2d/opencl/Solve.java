@@ -1,6 +1,8 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Tuning;
+import io.github.circles2d.pipeline.WorldConfig;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -9,17 +11,22 @@ final class Solve {
     private final Session session;
     private final Program program;
     private final List<Kernel> colours = new ArrayList<>();
+    private final Kernel narrow;
     private final Kernel list;
     private int launches;
+    private boolean narrows;
 
     Solve(Session session, Program program) {
         this.session = session;
         this.program = program;
+        narrow = new Kernel(session, program, "c2d_solve_narrow");
         list = new Kernel(session, program, "c2d_list");
     }
 
-    void bind(State state, SmallBuffers buffers, Turn now, Levels levels, int group) {
-        launches = Levels.COLOURS * levels.count;
+    void bind(WorldConfig config, State state, SmallBuffers buffers, Turn now, Levels levels, int group, int oneGroup) {
+        int wide = config.smallWorld() > 0 ? wideLevels(levels) : levels.count;
+        launches = Levels.COLOURS * wide;
+        narrows = wide < levels.count;
         while (colours.size() < launches) {
             colours.add(new Kernel(session, program, "c2d_solve"));
         }
@@ -41,13 +48,38 @@ final class Solve {
                             owners)
                     .range(owners, group);
         }
+        narrow.arguments(
+                        now.body,
+                        buffers.kicked,
+                        buffers.pair,
+                        now.ids,
+                        now.memory,
+                        now.ownerStart,
+                        state.status,
+                        buffers.rule,
+                        now.levels,
+                        wide,
+                        levels.count)
+                .range(1, oneGroup);
         list.arguments(now.body, buffers.pair, now.ids, state.status, buffers.found)
                 .range(Math.max(1, state.circles), group);
+    }
+
+    /** Levels up to the last that is worth launches of its own. */
+    private static int wideLevels(Levels levels) {
+        int wide = levels.count;
+        while (wide > 0 && levels.table[Levels.INTS * (wide - 1) + Levels.OWNERS] <= Tuning.NARROW) {
+            wide--;
+        }
+        return wide;
     }
 
     void run() {
         for (int k = 0; k < launches; k++) {
             colours.get(k).launch();
+        }
+        if (narrows) {
+            narrow.launch();
         }
     }
 

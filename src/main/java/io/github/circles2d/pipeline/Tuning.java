@@ -166,6 +166,9 @@ public final class Tuning {
     /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64. */
     public static final int SCAN = 8;
 
+    /** Owners of one colour up to which the levels from there on are solved by one work-group. 0 (never) to 4,096. */
+    public static final int NARROW = 1024;
+
     /** Fewest circles or contacts that plain Java gives to another thread: waking one takes some 20 us. 500 to 10,000. */
     public static final int HOST_ITEMS = 2000;
 
