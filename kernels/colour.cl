@@ -66,15 +66,17 @@ static int c2d_cell_end(int cell, int columns, int rows, __global const int *cel
 
 // Step 4, a contact: sorts the contacts of a cell by the numbers of their circles, and makes them ready.
 static void c2d_rank(uint k, C2D_CELLS, __global const int4 *byCell, __global const int *cellStart, uint contacts,
-                     float restitution, __global float8 *contact) {
+                     float restitution, __global int8 *contact) {
     const int4 own = byCell[k];
     const int cell = c2d_owner(own, circle, corner, perUnit, columns, rows);
     const int start = cellStart[cell];
     const int end = c2d_cell_end(cell, columns, rows, cellStart, contacts);
     int place = start;
     for (int other = start; other < end; other++) {
-        const int4 one = byCell[other];
-        place += one.x < own.x || (one.x == own.x && one.y < own.y) ? 1 : 0;
+        const int2 one = byCell[other].xy;
+        if (one.x < own.x || (one.x == own.x && one.y < own.y)) {
+            place++;
+        }
     }
     contact[place] = c2d_prepare(own, circle, restitution);
 }
@@ -133,7 +135,7 @@ __kernel void c2d_colour_scatter(C2D_CELLS, __global const int4 *found, __global
 
 // Step 4.
 __kernel void c2d_colour_rank(C2D_CELLS, __global const int4 *byCell, __global const int *cellStart,
-                              __global const uint *status, float restitution, __global float8 *contact) {
+                              __global const uint *status, float restitution, __global int8 *contact) {
     const uint contacts = status[C2D_STALLED] != 0u ? 0u : status[C2D_CONTACTS];
     for (uint k = (uint)get_global_id(0); k < contacts; k += (uint)get_global_size(0)) {
         c2d_rank(k, circle, corner, perUnit, columns, rows, byCell, cellStart, contacts, restitution, contact);

@@ -10,7 +10,7 @@ static int2 c2d_pair_at(c2d_index pair, c2d_index first, int circles, __global c
 #if C2D_WIDE
     // the root of a 64-bit number is some hundred rows off; one Newton step on the exact remainder leaves one row
     const long rest = (long)k - (long)c2d_triangular(r);
-    r += (c2d_index)(long)((float)rest / ((float)r + 0.5f));
+    r += (c2d_index)(long)floor((float)rest / ((float)r + 0.5f)); // cut towards zero it could leave two
 #endif
     r = c2d_triangular(r) > k ? r - 1 : r;
     r = c2d_triangular(r + 1) <= k ? r + 1 : r;

@@ -15,7 +15,7 @@ static int c2d_owner_of(int item, int colour, int columns, int rows) {
 }
 
 static void c2d_resolve_cell(int cell, __global float4 *circle, __global float2 *velocities,
-                             __global const float8 *contact, __global const int *cellStart, uint contacts, int columns,
+                             __global const int8 *contact, __global const int *cellStart, uint contacts, int columns,
                              int rows, float4 bounds) {
     const int end = c2d_cell_end(cell, columns, rows, cellStart, contacts);
     for (int k = cellStart[cell]; k < end; k++) {
@@ -24,7 +24,7 @@ static void c2d_resolve_cell(int cell, __global float4 *circle, __global float2 
 }
 
 // A large world: one launch a colour.
-__kernel void c2d_resolve(__global float4 *circle, __global float2 *velocities, __global const float8 *contact,
+__kernel void c2d_resolve(__global float4 *circle, __global float2 *velocities, __global const int8 *contact,
                           __global const int *cellStart, __global const uint *status, float4 bounds,
                           int columns, int rows, int colour) {
     const int cell = c2d_owner_of((int)get_global_id(0), colour, columns, rows);
@@ -36,7 +36,7 @@ __kernel void c2d_resolve(__global float4 *circle, __global float2 *velocities, 
 // A small world: colour and resolve in one launch of one work-group. Launches would cost more than the work.
 __kernel void c2d_resolve_small(__global float4 *circle, float2 corner, float perUnit, int columns, int rows,
                                 __global const int4 *found, __global int *cellStart, __global int4 *byCell,
-                                __global float8 *contact, __global float2 *velocities, __global uint *status,
+                                __global int8 *contact, __global float2 *velocities, __global uint *status,
                                 uint capacity, float4 bounds, float restitution, __local int *sums) {
     const uint item = (uint)get_local_id(0);
     const uint items = (uint)get_local_size(0);

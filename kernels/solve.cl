@@ -126,16 +126,3 @@ __kernel void c2d_rescale(__global float8 *body, __global float *walls, __global
         body[i].s5 *= ratio;
     }
 }
-
-// The contacts as IMPULSE lists them, for those who want to look at them; a zero vector where circles do not overlap.
-__kernel void c2d_list(__global const float8 *body, __global const int2 *pair, __global const int2 *ids,
-                       __global const uint *status, __global int4 *found) {
-    const uint contacts = status[C2D_CONTACTS];
-    for (uint k = (uint)get_global_id(0); k < contacts; k += (uint)get_global_size(0)) {
-        const float8 a = body[pair[k].x];
-        const float8 b = body[pair[k].y];
-        const float2 translation = c2d_translation((float4)(a.s0, a.s1, a.s6, 0.0f), (float4)(b.s0, b.s1, b.s6, 0.0f),
-                                                   ids[k].x, ids[k].y);
-        found[k] = (int4)(ids[k].x, ids[k].y, as_int(translation.x), as_int(translation.y));
-    }
-}

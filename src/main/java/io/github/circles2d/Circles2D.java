@@ -135,6 +135,8 @@ public final class Circles2D implements AutoCloseable {
 
     /** Adds the circle that {@code def} describes; as {@link #addCircle(float, float, float, float)}, with a velocity. */
     public synchronized long addCircle(CircleDef def) {
+        requireUsable();
+        Check.given("def", def);
         return add(def.x, def.y, def.radius, def.mass, def.vx, def.vy);
     }
 

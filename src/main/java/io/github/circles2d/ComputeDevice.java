@@ -90,7 +90,7 @@ public final class ComputeDevice {
      * of its name or platform; upper and lower case are the same. The first that fits.
      */
     public static Optional<ComputeDevice> find(String nameOrIndex) {
-        String wanted = nameOrIndex.strip().toLowerCase(Locale.ROOT);
+        String wanted = Check.given("nameOrIndex", nameOrIndex).strip().toLowerCase(Locale.ROOT);
         List<ComputeDevice> all = list();
         if (wanted.matches("\\d{1,9}")) {
             int index = Integer.parseInt(wanted);

@@ -29,13 +29,15 @@ final class StatsReader {
             int part = (int) Math.min(CONTACTS, contacts - from);
             stages.contacts(from, part, contact);
             for (int k = 0; k < part; k++) {
-                float smaller = Math.min(state.radius(contact.get(4 * k)), state.radius(contact.get(4 * k + 1)));
-                float x = Float.intBitsToFloat(contact.get(4 * k + 2));
-                float y = Float.intBitsToFloat(contact.get(4 * k + 3));
-                double overlap = Math.hypot(x, y) / smaller;
-                touching += x != 0 || y != 0 ? 1 : 0;
-                deepest = Math.max(deepest, overlap);
-                sum += overlap;
+                int i = contact.get(4 * k);
+                int j = contact.get(4 * k + 1);
+                double depth = config.solver() == Solver.SMALL_STEPS ? depth(state, i, j) : foundDepth(4 * k);
+                if (depth > 0) {
+                    double overlap = depth / Math.min(state.radius(i), state.radius(j));
+                    deepest = Math.max(deepest, overlap);
+                    sum += overlap;
+                    touching++;
+                }
             }
         }
         double energy = 0;
@@ -55,6 +57,18 @@ final class StatsReader {
         }
         double mean = touching == 0 ? 0 : sum / touching;
         return new StepStats(steps, touching, deepest, mean, energy, momentumX, momentumY, fastest, outside);
+    }
+
+    /** The overlap of a contact as the step found it, world units. */
+    private double foundDepth(int at) {
+        return Math.hypot(Float.intBitsToFloat(contact.get(at + 2)), Float.intBitsToFloat(contact.get(at + 3)));
+    }
+
+    /** The overlap of two circles as they are now, world units. */
+    private static double depth(CircleState state, int i, int j) {
+        double dx = (double) state.x(j) - state.x(i);
+        double dy = (double) state.y(j) - state.y(i);
+        return (double) state.radius(i) + state.radius(j) - Math.sqrt(dx * dx + dy * dy);
     }
 
     /** In the arithmetic of the walls; NaN is outside. */

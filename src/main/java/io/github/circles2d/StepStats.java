@@ -9,7 +9,8 @@ package io.github.circles2d;
  * @param steps steps since the world was built
  * @param contacts contacts of that step
  * @param maxOverlap deepest overlap of them, a fraction of the smaller radius of its two circles; 0 without contacts
- * @param meanOverlap mean of the same over all contacts; 0 without contacts
+ * @param meanOverlap mean of the same over all contacts; 0 without contacts. Summed in the order in which the device found
+ *     them, so its last digits can differ between runs
  * @param kineticEnergy sum of m v^2 / 2 after the step, mass x (world units / s)^2
  * @param momentumX sum of m vx after the step, mass x world units / s
  * @param momentumY sum of m vy after the step

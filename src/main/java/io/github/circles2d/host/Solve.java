@@ -2,7 +2,6 @@ package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Substeps;
-import java.nio.IntBuffer;
 
 /** Twin of {@code kernels/solve.cl}: one pass over the contacts, in the order that match made. */
 final class Solve {
@@ -149,25 +148,5 @@ final class Solve {
     private static void rescale(float[] memory, int come, int last, float ratio) {
         memory[come] *= ratio;
         memory[last] = memory[last] > 0 ? memory[last] * ratio : memory[last];
-    }
-
-    /** The kernel {@code c2d_list}: contacts for those who want to look at them; a zero vector where circles do not overlap. */
-    void list(int from, int count, IntBuffer to) {
-        for (int k = from; k < from + count; k++) {
-            int a = SmallState.BODY * contacts.pair[2 * k];
-            int b = SmallState.BODY * contacts.pair[2 * k + 1];
-            float[] body = state.body;
-            float dx = body[b] - body[a];
-            float dy = body[b + 1] - body[a + 1];
-            float distance = (float) Math.sqrt(dx * dx + dy * dy);
-            float depth = body[a + SmallState.RADIUS] + body[b + SmallState.RADIUS] - distance;
-            float share = depth > 0 && distance > 0 ? depth / distance : 0;
-            int at = 4 * (k - from);
-            to.put(at, contacts.ids[2 * k]).put(at + 1, contacts.ids[2 * k + 1]);
-            // circles with one centre part along any direction
-            boolean same = depth > 0 && !(distance > 0);
-            to.put(at + 2, Float.floatToRawIntBits(same ? depth : share * dx))
-                    .put(at + 3, Float.floatToRawIntBits(share * dy));
-        }
     }
 }

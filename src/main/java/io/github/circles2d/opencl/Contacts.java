@@ -15,7 +15,7 @@ final class Contacts {
     final DeviceBuffer found;
     /** Sorted by cell. */
     final DeviceBuffer byCell;
-    /** Sorted by cell and numbers, and ready to be resolved: a float8 a contact. */
+    /** Sorted by cell and numbers, and ready to be resolved: an int8 a contact. */
     final DeviceBuffer contact;
     /** The first contact of each cell. */
     final DeviceBuffer cellStart;

@@ -12,19 +12,54 @@ import java.util.List;
  */
 final class Detect {
     /** A part of the pairs, with the kernels that work on it. */
-    private record Slice(
-            long first,
-            long pairs,
-            DeviceBuffer table,
-            DeviceBuffer collision,
-            DeviceBuffer mark,
-            Kernel detect,
-            Kernel collect) {
+    private final class Slice {
+        final long first;
+        final long pairs;
+        final DeviceBuffer table =
+                new DeviceBuffer(session, "table of " + config.strategy().name());
+        final DeviceBuffer collision = new DeviceBuffer(session, "collision");
+        final DeviceBuffer mark = new DeviceBuffer(session, "mark");
+        Kernel detect;
+        Kernel collect;
+
+        Slice(int count, long first, long pairs) {
+            this.first = first;
+            this.pairs = pairs;
+            try {
+                allocate(count);
+            } catch (RuntimeException e) {
+                // the caller may try again with fewer circles, and needs the room
+                close();
+                throw e;
+            }
+        }
+
+        private void allocate(int count) {
+            long bytes = config.strategy().tableBytes(count, pairs);
+            table.ensure(bytes);
+            if (bytes > 0) {
+                table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
+            }
+            if (triangle) {
+                collision.ensure(8 * pairs);
+                mark.ensure(4 * blocks(pairs));
+                mark.fill(4 * blocks(pairs), memory -> {
+                    while (memory.hasRemaining()) {
+                        memory.putInt(0);
+                    }
+                });
+                collect = new Kernel(session, program, "c2d_colour_collect");
+            }
+            detect = new Kernel(session, program, "c2d_detect");
+        }
+
         void close() {
             if (collect != null) {
                 collect.close();
             }
-            detect.close();
+            if (detect != null) {
+                detect.close();
+            }
             mark.close();
             collision.close();
             table.close();
@@ -74,7 +109,7 @@ final class Detect {
         Slices cut = Slices.of(count, most);
         try {
             for (int s = 0; s < cut.count(); s++) {
-                slices.add(build(count, cut.first(s), cut.pairs(s)));
+                slices.add(new Slice(count, cut.first(s), cut.pairs(s)));
             }
         } catch (RuntimeException e) {
             close();
@@ -89,30 +124,6 @@ final class Detect {
         boolean tableGrows =
                 config.strategy().tableBytes(count, 2) > config.strategy().tableBytes(count, 1);
         return triangle || tableGrows ? Math.max(1, bytes / 8) : Long.MAX_VALUE;
-    }
-
-    private Slice build(int count, long first, long pairs) {
-        DeviceBuffer table =
-                new DeviceBuffer(session, "table of " + config.strategy().name());
-        long bytes = config.strategy().tableBytes(count, pairs);
-        table.ensure(bytes);
-        if (bytes > 0) {
-            table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
-        }
-        DeviceBuffer collision = new DeviceBuffer(session, "collision");
-        DeviceBuffer mark = new DeviceBuffer(session, "mark");
-        collision.ensure(triangle ? 8 * pairs : 0);
-        mark.ensure(triangle ? 4 * blocks(pairs) : 0);
-        if (triangle) {
-            mark.fill(4 * blocks(pairs), memory -> {
-                while (memory.hasRemaining()) {
-                    memory.putInt(0);
-                }
-            });
-        }
-        Kernel detect = new Kernel(session, program, "c2d_detect");
-        Kernel collect = triangle ? new Kernel(session, program, "c2d_colour_collect") : null;
-        return new Slice(first, pairs, table, collision, mark, detect, collect);
     }
 
     void run() {

@@ -63,7 +63,7 @@ final class DeviceBuffer implements AutoCloseable {
             copy(old, kept, value);
         } finally {
             if (old != null) {
-                session.api.releaseMemObject(old);
+                Cl.checkRelease("clReleaseMemObject(" + name + ")", session.api.releaseMemObject(old));
                 session.unbook(kept);
             }
         }
@@ -138,7 +138,7 @@ final class DeviceBuffer implements AutoCloseable {
 
     private void release() {
         if (memory != null) {
-            session.api.releaseMemObject(memory);
+            Cl.checkRelease("clReleaseMemObject(" + name + ")", session.api.releaseMemObject(memory));
             memory = null;
             session.unbook(bytes);
             bytes = 0;

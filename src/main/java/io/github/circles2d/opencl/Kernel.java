@@ -127,6 +127,6 @@ final class Kernel implements AutoCloseable {
     @Override
     public void close() {
         session.disown(this);
-        session.api.releaseKernel(kernel);
+        Cl.checkRelease("clReleaseKernel(" + name + ")", session.api.releaseKernel(kernel));
     }
 }

@@ -17,14 +17,13 @@ public final class OpenClDevices {
 
     /** The devices of every platform; empty where there is no OpenCL. */
     public static List<OpenClDevice> list() {
-        ClApi api;
         try {
-            api = JoclApi.load();
+            return list(JoclApi.load());
         } catch (LinkageError | UnsupportedOperationException e) {
+            // no loader; or one without the functions that JOCL then calls
             LOG.log(System.Logger.Level.INFO, "no OpenCL on this machine ({0}); {1}", e, WITHOUT);
             return List.of();
         }
-        return list(api);
     }
 
     static List<OpenClDevice> list(ClApi api) {
@@ -60,10 +59,13 @@ public final class OpenClDevices {
             status = api.getDeviceIDs(platform, CL.CL_DEVICE_TYPE_ALL, ids.length, ids, null);
         }
         if (status == CL.CL_DEVICE_NOT_FOUND) {
+            LOG.log(
+                    System.Logger.Level.INFO,
+                    "an OpenCL platform has no devices (PoCL says so when its cache folder cannot be written)");
             return;
         }
         if (status != CL.CL_SUCCESS) {
-            warn("an OpenCL platform gives no devices (PoCL does so when its cache folder cannot be written)", status);
+            warn("an OpenCL platform gives no devices", status);
             return;
         }
         for (cl_device_id id : ids) {

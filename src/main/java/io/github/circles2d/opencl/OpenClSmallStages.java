@@ -26,6 +26,7 @@ final class OpenClSmallStages implements SmallStages {
     private final FloatBuffer numbers;
     private final int group;
     private final int oneGroup;
+    private IntBuffer pairs = IntBuffer.allocate(0);
     private Boolean wide;
     private Program program;
     private Kernel load;
@@ -197,6 +198,7 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void publish() {
+        state.changes();
         kernels[lastIndex()].integrate.publish();
         session.flush();
     }
@@ -223,10 +225,15 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void contacts(int from, int count, IntBuffer to) {
-        if (from == 0) {
-            kernels[lastIndex()].solve.list();
+        if (pairs.capacity() < 2 * count) {
+            pairs = ByteBuffer.allocateDirect(8 * count)
+                    .order(ByteOrder.nativeOrder())
+                    .asIntBuffer();
         }
-        buffers.found.read(SmallBuffers.FOUND_BYTES * from, to, SmallBuffers.FOUND_BYTES * count);
+        last().ids.read(8L * from, pairs, 8L * count);
+        for (int k = 0; k < count; k++) {
+            to.put(4 * k, pairs.get(2 * k)).put(4 * k + 1, pairs.get(2 * k + 1));
+        }
     }
 
     @Override

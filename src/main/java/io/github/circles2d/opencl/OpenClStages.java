@@ -16,7 +16,7 @@ final class OpenClStages implements Stages {
     private final WorldConfig config;
     private final Session session;
     private final State state;
-    private final Contacts contacts;
+    final Contacts contacts;
     private final int group;
     private final int oneGroup;
     private Boolean wide;
@@ -115,6 +115,7 @@ final class OpenClStages implements Stages {
 
     @Override
     public void update() {
+        state.changes();
         update.run();
     }
 
@@ -144,6 +145,7 @@ final class OpenClStages implements Stages {
 
     @Override
     public void resolve() {
+        state.changes();
         if (small()) {
             resolve.runSmall();
         } else {

@@ -30,7 +30,8 @@ final class PairTables {
             slices.clear();
             IndexStrategy strategy = config.strategy();
             boolean grows = strategy.tableBytes(count, 2) > strategy.tableBytes(count, 1);
-            long most = grows ? Math.min(Tuning.SLICE_BYTES, session.device.maxBuffer) / 8 : Long.MAX_VALUE;
+            long most =
+                    grows ? Math.max(1, Math.min(Tuning.SLICE_BYTES, session.device.maxBuffer) / 8) : Long.MAX_VALUE;
             Slices cut = Slices.of(count, config.pairsPerSlice() > 0 ? config.pairsPerSlice() : most);
             for (int s = 0; s < cut.count(); s++) {
                 slices.add(slice(count, cut.first(s), cut.pairs(s)));
@@ -44,9 +45,15 @@ final class PairTables {
         DeviceBuffer table =
                 new DeviceBuffer(session, "table of " + config.strategy().name());
         long bytes = config.strategy().tableBytes(count, pairs);
-        table.ensure(bytes);
-        if (bytes > 0) {
-            table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
+        try {
+            table.ensure(bytes);
+            if (bytes > 0) {
+                table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
+            }
+        } catch (RuntimeException e) {
+            // the caller may try again with fewer circles, and needs the room
+            table.close();
+            throw e;
         }
         return new Slice(first, pairs, table);
     }

@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.KernelBuildException;
+import io.github.circles2d.OpenClException;
 import io.github.circles2d.pipeline.KernelSources;
 import java.util.ArrayList;
 import java.util.List;
@@ -60,12 +61,20 @@ final class Program implements AutoCloseable {
                 OPTIONS + (device.correctlyRounded ? ROUNDED : "") + System.getProperty("circles2d.buildOptions", "");
         int status = session.api.buildProgram(program, device.id, options);
         if (status == CL.CL_BUILD_PROGRAM_FAILURE) {
-            String log = OpenClDevices.text(
-                    "clGetProgramBuildInfo",
-                    (n, p, m) -> session.api.getProgramBuildInfo(program, device.id, CL.CL_PROGRAM_BUILD_LOG, n, p, m));
-            throw new KernelBuildException(device.name(), options, log);
+            throw new KernelBuildException(device.name(), options, log());
         }
         Cl.check("clBuildProgram", status);
+    }
+
+    private String log() {
+        try {
+            return OpenClDevices.text(
+                    "clGetProgramBuildInfo",
+                    (n, p, m) -> session.api.getProgramBuildInfo(
+                            program, session.device.id, CL.CL_PROGRAM_BUILD_LOG, n, p, m));
+        } catch (OpenClException e) {
+            return "(no log: " + e.getMessage() + ")";
+        }
     }
 
     cl_program program() {
@@ -75,6 +84,6 @@ final class Program implements AutoCloseable {
     @Override
     public void close() {
         session.disown(this);
-        session.api.releaseProgram(program);
+        Cl.checkRelease("clReleaseProgram", session.api.releaseProgram(program));
     }
 }

@@ -30,7 +30,7 @@ final class Session implements AutoCloseable {
         Cl.check("clCreateContext", status[0]);
         cl_command_queue created = api.createCommandQueue(context, device.id, status);
         if (status[0] != CL.CL_SUCCESS) {
-            api.releaseContext(context);
+            Cl.checkRelease("clReleaseContext", api.releaseContext(context));
         }
         Cl.check("clCreateCommandQueue", status[0]);
         queue = created;
@@ -73,7 +73,7 @@ final class Session implements AutoCloseable {
     @Override
     public void close() {
         // nothing may still run on what is released now; a queue that failed has nothing running
-        api.finish(queue);
+        Cl.checkRelease("clFinish", api.finish(queue));
         while (!owned.isEmpty()) {
             try {
                 owned.pop().close();
@@ -81,7 +81,7 @@ final class Session implements AutoCloseable {
                 throw new IllegalStateException("releases do not throw", e);
             }
         }
-        api.releaseCommandQueue(queue);
-        api.releaseContext(context);
+        Cl.checkRelease("clReleaseCommandQueue", api.releaseCommandQueue(queue));
+        Cl.checkRelease("clReleaseContext", api.releaseContext(context));
     }
 }

@@ -7,7 +7,7 @@ import io.github.circles2d.pipeline.Tuning;
 /** The buffers of small steps that every detection shares; {@link Turn} has the others. Named as the kernels name them. */
 final class SmallBuffers {
     /** A contact as it is found, an int4. */
-    static final long FOUND_BYTES = 16;
+    private static final long FOUND_BYTES = 16;
 
     /** By number: kept from step to step. */
     final DeviceBuffer walls;
@@ -85,8 +85,7 @@ final class SmallBuffers {
         foundOwner.ensure(4 * wanted);
         byOwner.ensure(FOUND_BYTES * wanted);
         ownerOf.ensure(4 * wanted);
-        // the pairs of the last detection may still be looked at
-        pair.grow(8 * wanted, 0);
+        pair.ensure(8 * wanted);
         for (Turn turn : turns) {
             turn.growContacts(wanted);
         }

@@ -12,7 +12,6 @@ final class Solve {
     private final Program program;
     private final List<Kernel> colours = new ArrayList<>();
     private final Kernel narrow;
-    private final Kernel list;
     private int launches;
     private boolean narrows;
 
@@ -20,7 +19,6 @@ final class Solve {
         this.session = session;
         this.program = program;
         narrow = new Kernel(session, program, "c2d_solve_narrow");
-        list = new Kernel(session, program, "c2d_list");
     }
 
     void bind(WorldConfig config, State state, SmallBuffers buffers, Turn now, Levels levels, int group, int oneGroup) {
@@ -61,8 +59,6 @@ final class Solve {
                         wide,
                         levels.count)
                 .range(1, oneGroup);
-        list.arguments(now.body, buffers.pair, now.ids, state.status, buffers.found)
-                .range(Math.max(1, state.circles), group);
     }
 
     /** Levels up to the last that is worth launches of its own. */
@@ -81,10 +77,5 @@ final class Solve {
         if (narrows) {
             narrow.launch();
         }
-    }
-
-    /** Makes the contacts ready to be looked at, in {@code found}. */
-    void list() {
-        list.launch();
     }
 }

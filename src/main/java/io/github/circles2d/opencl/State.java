@@ -92,7 +92,12 @@ final class State {
         return copy.getFloat(12);
     }
 
-    /** Reads the circles; after {@link #await()}. */
+    /** Says that kernels have been queued that change the circles. */
+    void changes() {
+        copyWhole = false;
+    }
+
+    /** Reads the circles. Waits. */
     void download(FloatBuffer toCircle, FloatBuffer toVelocities) {
         if (!copyWhole) {
             circle.read(0, toCircle, 16L * circles);

@@ -20,7 +20,8 @@ public interface DeviceState extends AutoCloseable {
     void makeRoom(long contacts);
 
     /**
-     * Reads contacts {@code from .. from + count - 1} of the last step, in the order they were found in. Waits.
+     * Reads contacts {@code from .. from + count - 1} of the last step, in the order they were found in. Waits. Of small
+     * steps, those that are listed, touching or not, without the vectors.
      *
      * @param to an int4 a contact: the numbers i < j of its circles, and the bits of the vector that parts them, from i
      *     to j, world units; direct, native order, written from 0

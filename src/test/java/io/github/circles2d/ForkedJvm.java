@@ -1,0 +1,83 @@
+package io.github.circles2d;
+
+import java.lang.ref.WeakReference;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** What the child processes of {@link ForkedJvmTest} do; the first argument names it. */
+final class ForkedJvm {
+    private ForkedJvm() {}
+
+    public static void main(String[] args) throws Exception {
+        switch (args[0]) {
+            case "world" -> {
+                // two worlds: what is said once is not said again
+                System.out.println("list=" + ComputeDevice.list());
+                System.out.println("hash=" + hash() + " " + hash());
+            }
+            case "preferred" -> System.out.println("preferred=" + ComputeDevice.preferred());
+            case "loaders" -> {
+                System.out.println("hash=" + inLoader() + " " + inLoader());
+            }
+            case "leak" -> leak();
+            default -> throw new IllegalArgumentException(args[0]);
+        }
+    }
+
+    /** The hash of a small default world after ten steps. Called by reflection, too. */
+    public static String hash() {
+        try (Circles2D world = Circles2D.builder().build()) {
+            for (int i = 0; i < 20; i++) {
+                world.addCircle(0.3f + 0.02f * i, 0.5f, 0.02f, 1);
+            }
+            world.step(10);
+            return world.device().type() + ":" + world.stateHash();
+        }
+    }
+
+    private static String inLoader() throws Exception {
+        URL[] path = Stream.of(System.getProperty("java.class.path").split(System.getProperty("path.separator")))
+                .map(ForkedJvm::url)
+                .collect(Collectors.toList())
+                .toArray(URL[]::new);
+        try (URLClassLoader loader = new URLClassLoader(path, ClassLoader.getPlatformClassLoader())) {
+            Class<?> other = loader.loadClass(ForkedJvm.class.getName());
+            if (other == ForkedJvm.class) {
+                throw new AssertionError("the same class loader");
+            }
+            var method = other.getDeclaredMethod("hash");
+            method.setAccessible(true);
+            return (String) method.invoke(null);
+        }
+    }
+
+    private static URL url(String file) {
+        try {
+            return java.nio.file.Path.of(file).toUri().toURL();
+        } catch (java.net.MalformedURLException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static void leak() throws InterruptedException {
+        WeakReference<Circles2D> closed = new WeakReference<>(world(true));
+        WeakReference<Circles2D> leaked = new WeakReference<>(world(false));
+        for (int i = 0; i < 200 && (closed.get() != null || leaked.get() != null); i++) {
+            System.gc();
+            Thread.sleep(20);
+        }
+        // the cleaner runs in a thread of its own
+        Thread.sleep(500);
+        System.out.println("collected=" + (closed.get() == null && leaked.get() == null));
+    }
+
+    private static Circles2D world(boolean close) {
+        Circles2D world = Circles2D.builder().device(ComputeDevice.host()).build();
+        if (close) {
+            world.close();
+        }
+        return world;
+    }
+}

@@ -1,0 +1,26 @@
+package io.github.circles2d;
+
+import io.github.circles2d.pipeline.Device;
+
+/** Opens to tests of other packages what this package keeps to itself. */
+public final class Internals {
+    private Internals() {}
+
+    public static ComputeDevice computeDevice(Device device) {
+        return new ComputeDevice(device);
+    }
+
+    /**
+     * A builder with the knobs of {@link WorldBuilder} that users do not have.
+     *
+     * @param workGroup work-items of a group, 0 for what suits the device
+     * @param pairsPerSlice 0 for what the device allows
+     * @param smallWorld largest world that one work-group resolves, circles
+     */
+    public static Circles2D.Builder builder(int workGroup, long pairsPerSlice, int smallWorld) {
+        return new WorldBuilder()
+                .workGroup(workGroup)
+                .pairsPerSlice(pairsPerSlice)
+                .smallWorld(smallWorld);
+    }
+}

@@ -1,0 +1,256 @@
+package io.github.circles2d.opencl;
+
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import io.github.circles2d.Circles2D;
+import io.github.circles2d.Circles2DException;
+import io.github.circles2d.CollisionStore;
+import io.github.circles2d.ComputeDevice;
+import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.Internals;
+import io.github.circles2d.OpenClException;
+import io.github.circles2d.StepStats;
+import io.github.circles2d.TestDevices;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Every OpenCL call fails once, and again with all calls after it, for every status a driver is known to give. */
+class FaultTest {
+    /** No memory, no resources, no host memory, a queue that died, a size that is too large. */
+    private static final List<Integer> STATUSES = List.of(-4, -5, -6, -36, -61);
+
+    private static final List<Function<Circles2D, Object>> USE = List.of(
+            FaultTest::addPile,
+            FaultTest::step,
+            world -> world.snapshot().x(7),
+            FaultTest::stats,
+            world -> world.addCircle(0.2f, 0.7f, 0.05f, 2),
+            FaultTest::step,
+            Circles2D::stateHash,
+            FaultTest::stats);
+
+    private LogCapture log;
+    private FaultyClApi faulty;
+    private ComputeDevice device;
+
+    @BeforeEach
+    void device() {
+        TestDevices.openCl();
+        log = new LogCapture();
+        faulty = new FaultyClApi(JoclApi.load());
+        device = Internals.computeDevice(OpenClDevices.list(faulty.api()).get(0));
+    }
+
+    @AfterEach
+    void restoreLog() {
+        log.close();
+    }
+
+    /** More contacts than a world first has room for: a step stalls, and room is made. */
+    private static Object addPile(Circles2D world) {
+        for (int i = world.circleCount(); i < 56; i++) {
+            world.addCircle(0.5f + 0.001f * i, 0.5f, 0.04f, 1 + i % 3);
+        }
+        return world.circleCount();
+    }
+
+    private static Object step(Circles2D world) {
+        world.step(2);
+        return "stepped";
+    }
+
+    /** Without the mean: it is summed up in the order that contacts were found in. */
+    private static Object stats(Circles2D world) {
+        StepStats stats = world.stats();
+        return List.of(stats.steps(), stats.contacts(), stats.maxOverlap(), stats.kineticEnergy());
+    }
+
+    private Circles2D.Builder builder(boolean small) {
+        return small
+                ? Internals.builder(0, 0, 4096).device(device)
+                : Internals.builder(0, 1000, 0)
+                        .device(device)
+                        .indexStrategy(IndexStrategy.pairTable())
+                        .collisionStore(CollisionStore.TRIANGLE);
+    }
+
+    private List<Object> healthy(boolean small) {
+        faulty.behave();
+        List<Object> results = new ArrayList<>();
+        try (Circles2D world = builder(small).build()) {
+            USE.forEach(use -> results.add(use.apply(world)));
+        }
+        assertEquals(List.of(), faulty.live());
+        assertEquals(List.of(), faulty.misuses());
+        assertEquals(List.of(), log.take());
+        return results;
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void anyOneCallMayFail(boolean small) {
+        List<Object> expected = healthy(small);
+        List<String> calls = faulty.calls();
+        assertTrue(calls.containsAll(Set.of("createContext", "buildProgram", "finish", "releaseContext")));
+        assertEquals(!small, calls.contains("enqueueMapBuffer"));
+        Set<String> met = new HashSet<>();
+        for (int k = 0; k < calls.size(); k++) {
+            // every call with one status, the first of each kind with all of them
+            boolean first = met.add(calls.get(k));
+            for (int s = 0; s < (first ? STATUSES.size() : 1); s++) {
+                int status = STATUSES.get((k + s) % STATUSES.size());
+                String fault = "call " + k + ", " + calls.get(k) + ", gives " + status;
+                faulty.fail(k, status, false);
+                failOnce(small, expected, fault);
+                if (first || k % 4 == 0) {
+                    faulty.fail(k, status, true);
+                    loseDevice(small, fault);
+                }
+            }
+        }
+    }
+
+    /** Says what happened, or does what it would have done without the fault. */
+    private void failOnce(boolean small, List<Object> expected, String fault) {
+        Circles2DException first = null;
+        boolean failed = false;
+        Circles2D world = null;
+        try {
+            world = builder(small).build();
+        } catch (Circles2DException e) {
+            first = e;
+        }
+        for (int i = 0; world != null && i < USE.size(); i++) {
+            Function<Circles2D, Object> use = USE.get(i);
+            Circles2D used = world;
+            try {
+                assertEquals(expected.get(i), use.apply(used), fault);
+            } catch (Circles2DException e) {
+                if (first == null) {
+                    first = e;
+                    // what fails before a step begins leaves the world as it was; then a second try does it
+                    failed = !tryAgain(used, use, expected.get(i), first, fault);
+                } else {
+                    assertTrue(failed, fault + ", later: " + e);
+                    assertSame(first, e.getCause(), fault);
+                }
+                continue;
+            }
+            assertFalse(failed, fault + ": a failed world goes on");
+        }
+        if (world != null) {
+            assertDoesNotThrow(world::close, fault);
+        }
+        assertTrue(first != null || !log.take().isEmpty(), fault + " and nobody is told");
+        log.take();
+        assertNothingLeft(fault);
+    }
+
+    private static boolean tryAgain(
+            Circles2D world, Function<Circles2D, Object> use, Object expected, Circles2DException first, String fault) {
+        try {
+            assertEquals(expected, use.apply(world), fault + ", second try");
+            return true;
+        } catch (Circles2DException e) {
+            assertSame(first, e.getCause(), fault + ", second try: " + e);
+            return false;
+        }
+    }
+
+    private void loseDevice(boolean small, String fault) {
+        try (Circles2D world = builder(small).build()) {
+            for (Function<Circles2D, Object> use : USE) {
+                try {
+                    use.apply(world);
+                } catch (Circles2DException e) {
+                    assertThrows(Circles2DException.class, () -> step(world), fault + " and so do all after it");
+                }
+            }
+        } catch (Circles2DException e) {
+            // the world was not built
+        }
+        boolean created = !faulty.calls().equals(List.of("createContext"));
+        assertEquals(created, !log.take().isEmpty(), fault + " and so do all after it: failed releases are told");
+        assertNothingLeft(fault + " and so do all after it");
+    }
+
+    private void assertNothingLeft(String fault) {
+        assertEquals(List.of(), faulty.misuses(), fault);
+        assertEquals(List.of(), faulty.live(), fault);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {-1, -2, -5, -6, -30, -1001})
+    void faultsWhileListingOnlyShrinkTheList(int status) {
+        faulty.behave();
+        int all = OpenClDevices.list(faulty.api()).size();
+        List<String> calls = faulty.calls();
+        assertTrue(calls.containsAll(Set.of("getPlatformIDs", "getPlatformInfo", "getDeviceIDs", "getDeviceInfo")));
+        for (int k = 0; k < calls.size(); k++) {
+            faulty.fail(k, status, false);
+            int left = OpenClDevices.list(faulty.api()).size();
+            assertTrue(left < all, calls.get(k) + " " + k + " gives " + status + ": " + left + " of " + all);
+        }
+    }
+
+    @Test
+    void aDeviceWhoseSelfCheckFailsIsNotDeterministic() {
+        faulty.behave();
+        assertTrue(device.deterministic());
+        List<String> calls = faulty.calls();
+        for (int k = 0; k < calls.size(); k++) {
+            faulty.behave();
+            ComputeDevice fresh =
+                    Internals.computeDevice(OpenClDevices.list(faulty.api()).get(0));
+            faulty.fail(k, -5, false);
+            // what is only released was computed, and right
+            boolean computed = k >= calls.indexOf("finish");
+            assertEquals(computed, fresh.deterministic(), calls.get(k));
+            assertFalse(log.take().isEmpty(), calls.get(k));
+            assertNothingLeft(calls.get(k));
+        }
+    }
+
+    @Test
+    void aFailedWorldNamesItsFirstFailureAndTheNextOneIsUntouched() {
+        List<Object> expected = healthy(false);
+        faulty.behave();
+        try (Circles2D world = builder(false).build()) {
+            addPile(world);
+            world.step();
+            faulty.fail(0, -36, true);
+            OpenClException first = assertThrows(OpenClException.class, world::step);
+            assertEquals(-36, first.status());
+            assertEquals("clEnqueueNDRangeKernel(c2d_update)", first.call());
+            faulty.behave();
+            List<Executable> later = List.of(
+                    world::step,
+                    world::snapshot,
+                    world::stateHash,
+                    world::stats,
+                    world::circleCount,
+                    () -> world.addCircle(0.5f, 0.5f, 0.1f, 1),
+                    () -> world.setVelocity(0, 1, 1));
+            for (Executable use : later) {
+                assertSame(first, assertThrows(Circles2DException.class, use).getCause());
+            }
+            assertFalse(faulty.calls().contains("enqueueNDRangeKernel"));
+        }
+        assertNothingLeft("after a lost device");
+        assertEquals(expected, healthy(false));
+    }
+}

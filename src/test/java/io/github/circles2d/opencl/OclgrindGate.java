@@ -1,0 +1,153 @@
+package io.github.circles2d.opencl;
+
+import io.github.circles2d.Circles2D;
+import io.github.circles2d.CollisionStore;
+import io.github.circles2d.ComputeDevice;
+import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.Internals;
+import io.github.circles2d.demo.Scene;
+import io.github.circles2d.pipeline.KernelSources;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * Runs every kernel on Oclgrind, which checks each access of memory, and compares the results with plain Java.
+ * {@code .ci/oclgrind-gate} starts it and reads Oclgrind's log. An argument names a planted fault to run instead.
+ */
+public final class OclgrindGate {
+    private static final Pattern KERNEL = Pattern.compile("__kernel\\s+void\\s+(\\w+)");
+    private static final List<IndexStrategy> STRATEGIES = List.of(
+            IndexStrategy.formula(), IndexStrategy.pairTable(), IndexStrategy.rowSearch(), IndexStrategy.folded());
+
+    private final FaultyClApi books = new FaultyClApi(JoclApi.load());
+    private final OpenClDevice device;
+    private int worlds;
+
+    private OclgrindGate() {
+        List<OpenClDevice> devices = OpenClDevices.list(books.api());
+        require(devices.size() == 1, "one device, not " + devices.size());
+        device = devices.get(0);
+        require(device.platform().contains("Oclgrind"), "Oclgrind, not " + device.platform());
+        System.out.println("gate: " + device.name() + ", " + device.platform());
+    }
+
+    public static void main(String[] args) {
+        OclgrindGate gate = new OclgrindGate();
+        if (args.length > 0) {
+            PlantedFault.valueOf(args[0]).run(gate.device);
+        } else {
+            gate.everything();
+        }
+    }
+
+    private static void require(boolean holds, String what) {
+        if (!holds) {
+            throw new AssertionError("gate: expected " + what);
+        }
+    }
+
+    private void everything() {
+        for (IndexStrategy strategy : STRATEGIES) {
+            for (CollisionStore store : CollisionStore.values()) {
+                // a world that one work-group resolves, and one that is resolved colour by colour
+                agree(Scene.THESIS, 65, 4, strategy, store, 0, 4096);
+                agree(Scene.THESIS, 65, 4, strategy, store, 0, 0);
+                agree(Scene.GAS, 64, 4, strategy, store, 300, 0);
+            }
+            wide(strategy, CollisionStore.COMPACT);
+            wide(strategy, CollisionStore.TRIANGLE);
+        }
+        for (int circles : new int[] {1, 2, 3, 63, 128}) {
+            agree(Scene.THESIS, circles, 2, IndexStrategy.folded(), CollisionStore.COMPACT, 0, 4096);
+            agree(Scene.THESIS, circles, 2, IndexStrategy.folded(), CollisionStore.COMPACT, 0, 0);
+        }
+        for (CollisionStore store : CollisionStore.values()) {
+            agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 0, 4096);
+            agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 1000, 0);
+        }
+        require(device.deterministic(), "the arithmetic of plain Java");
+        require(books.misuses().isEmpty() && books.live().isEmpty(), "nothing left: " + books.live() + books.misuses());
+        Set<String> missing = kernels();
+        require(missing.size() > 5, "kernels, found " + missing);
+        missing.removeAll(books.launched());
+        require(missing.isEmpty(), "every kernel to run; missing " + missing);
+        System.out.println("gate: " + worlds + " worlds agree with the host; ran " + books.launched());
+    }
+
+    /** Every circle in every other: 1,326 contacts, more than a world of 52 first has room for. */
+    private static Scene pile() {
+        return new Scene("pile", 0, -1, 0.5f, (world, circles) -> {
+            for (int i = 0; i < circles; i++) {
+                world.addCircle(0.5f + 0.0001f * i, 0.5f, 0.04f, 1 + i % 3);
+            }
+        });
+    }
+
+    private void agree(
+            Scene scene,
+            int circles,
+            int steps,
+            IndexStrategy strategy,
+            CollisionStore store,
+            long pairsPerSlice,
+            int smallWorld) {
+        long[] hashes = new long[2];
+        for (int side = 0; side < 2; side++) {
+            ComputeDevice on = side == 0 ? ComputeDevice.host() : Internals.computeDevice(device);
+            // many work-items in a group, so that races within one can show
+            Circles2D.Builder builder = Internals.builder(32, pairsPerSlice, smallWorld)
+                    .device(on)
+                    .indexStrategy(strategy)
+                    .collisionStore(store);
+            try (Circles2D world = scene.build(builder, circles)) {
+                world.step(steps);
+                hashes[side] = world.stateHash();
+                require(world.stats().steps() == steps, "all steps");
+            }
+        }
+        worlds++;
+        require(
+                hashes[0] == hashes[1],
+                "the hash of the host for " + scene.name() + " " + circles + " " + strategy + " " + store
+                        + " slices of " + pairsPerSlice + ", small world " + smallWorld);
+    }
+
+    private void wide(IndexStrategy strategy, CollisionStore store) {
+        Set<Long> found = WideDetect.contacts(device, strategy, store, 40);
+        Set<Long> expected = WideDetect.expected(40);
+        require(
+                found.equals(expected),
+                "in 64 bits, with " + strategy + " " + store + ", " + expected + ", not " + found);
+    }
+
+    /** The kernels of {@code kernels/}, from the copy on the class path. */
+    private static Set<String> kernels() {
+        try {
+            Path folder = Path.of(KernelSources.class
+                            .getResource("/io/github/circles2d/kernels/common.cl")
+                            .toURI())
+                    .getParent();
+            try (Stream<Path> files = Files.list(folder)) {
+                Set<String> names = new TreeSet<>();
+                files.map(file -> KernelSources.read(file.getFileName().toString()))
+                        .forEach(source -> KERNEL.matcher(source)
+                                .results()
+                                .map(found -> found.group(1))
+                                .forEach(names::add));
+                return names;
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (URISyntaxException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package io.github.circles2d.opencl;
+
+import io.github.circles2d.pipeline.WorldConfig;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.util.SplittableRandom;
+
+/** Circles at random: many that overlap, some on one spot, some over the walls, masses and speeds of every size. */
+final class TwinState {
+    private static final int SPOT = 30;
+
+    final int count;
+    final FloatBuffer circle;
+    final FloatBuffer velocities;
+    final float maxRadius;
+
+    private TwinState(int count, float maxRadius) {
+        this.count = count;
+        this.maxRadius = maxRadius;
+        circle = direct(4 * count);
+        velocities = direct(2 * count);
+    }
+
+    static TwinState random(WorldConfig config, int count, long seed) {
+        SplittableRandom random = new SplittableRandom(seed);
+        float width = config.maxX() - config.minX();
+        float height = config.maxY() - config.minY();
+        float largest = (float) (0.8 * height / Math.sqrt(count + 2) * random.nextDouble(0.3, 1));
+        TwinState state = new TwinState(count, largest);
+        float spotX = config.minX() + width * (float) random.nextDouble();
+        float spotY = config.minY() + height * (float) random.nextDouble();
+        for (int i = 0; i < count; i++) {
+            boolean spot = i % 3 == 0 && i < 3 * SPOT;
+            state.circle.put(4 * i, spot ? spotX : config.minX() + width * (float) random.nextDouble());
+            state.circle.put(4 * i + 1, spot ? spotY : config.minY() + height * (float) random.nextDouble());
+            state.circle.put(4 * i + 2, i == 0 ? largest : largest * (float) random.nextDouble(0.2, 1));
+            state.circle.put(4 * i + 3, (float) Math.pow(10, random.nextDouble(-9, 9)));
+            // those on one spot at rest, most of them slow, some faster than the world is wide
+            double speed = spot ? 0 : height * Math.pow(10, random.nextDouble(-4, i % 5 == 0 ? 3 : 0));
+            double angle = random.nextDouble(0, 2 * Math.PI);
+            state.velocities.put(2 * i, (float) (speed * Math.cos(angle)));
+            state.velocities.put(2 * i + 1, (float) (speed * Math.sin(angle)));
+        }
+        return state;
+    }
+
+    /** Room for what is read back. */
+    TwinState empty() {
+        return new TwinState(count, maxRadius);
+    }
+
+    static FloatBuffer direct(int floats) {
+        return ByteBuffer.allocateDirect(4 * floats)
+                .order(ByteOrder.nativeOrder())
+                .asFloatBuffer();
+    }
+
+    /** Centre, radius, mass and velocity of each circle, as bits. */
+    int[] bits() {
+        int[] bits = new int[6 * count];
+        for (int k = 0; k < 4 * count; k++) {
+            bits[k] = Float.floatToRawIntBits(circle.get(k));
+        }
+        for (int k = 0; k < 2 * count; k++) {
+            bits[4 * count + k] = Float.floatToRawIntBits(velocities.get(k));
+        }
+        return bits;
+    }
+}
