@@ -11,9 +11,6 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Map;
 
 /** The stages of one world of small steps on an OpenCL device. Calls queue up, in order. */
 final class OpenClSmallStages implements SmallStages {
@@ -67,20 +64,7 @@ final class OpenClSmallStages implements SmallStages {
             return;
         }
         Program old = program;
-        List<Map.Entry<String, String>> sources = new ArrayList<>();
-        sources.add(Program.file("common.cl"));
-        if (tables != null) {
-            sources.add(Map.entry(
-                    "index_" + config.strategy().name() + ".cl",
-                    config.strategy().kernelSource()));
-        }
-        for (String file : List.of("detect", "small", "scan", "grid", "find", "match", "integrate", "solve")) {
-            sources.add(Program.file(file + ".cl"));
-        }
-        program = Program.build(
-                session,
-                Map.of("C2D_WIDE", wanted ? 1 : 0, "C2D_PAIRWISE", tables != null ? 1 : 0, "C2D_SCAN", Tuning.SCAN),
-                sources);
+        program = SmallKernels.program(session, config, wanted);
         // kernels of the old program go with the session; a world crosses this line once
         for (int k = 0; k < kernels.length; k++) {
             kernels[k] = new SmallKernels(session, program, tables);
@@ -177,13 +161,7 @@ final class OpenClSmallStages implements SmallStages {
             // the other turn reads what this one writes, and some of that is now elsewhere
             kernels[1 - index].bound = false;
         }
-        SmallKernels one = kernels[index];
-        one.grid.bind(config, state, buffers, now, before, levels, group, oneGroup);
-        one.find.bind(state, buffers, now, levels, group);
-        one.match.bind(state, buffers, now, before, levels, group, oneGroup);
-        one.integrate.bind(state, buffers, now, group);
-        one.solve.bind(config, state, buffers, now, levels, group, oneGroup);
-        one.bound = true;
+        kernels[index].bind(config, state, buffers, now, before, levels, group, oneGroup);
     }
 
     @Override
