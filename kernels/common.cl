@@ -14,6 +14,11 @@
 #define C2D_TRIANGLE 0
 #endif
 
+// 1: the index strategy numbers the pairs; 0: circles look for neighbours in a grid.
+#ifndef C2D_PAIRWISE
+#define C2D_PAIRWISE 1
+#endif
+
 // Index of a pair in the triangle, and the pair of bounds that a row of it takes.
 #if C2D_WIDE
 typedef ulong c2d_index;
@@ -29,10 +34,12 @@ typedef uint2 c2d_row;
 #endif
 
 // The status buffer, class pipeline.Status: how many contacts the step found, whether they outgrew their buffers (then
-// nothing moves until the host has made room), how many updates have run.
+// nothing moves until the host has made room), how many updates have run. Of small steps: how many detections, and the bits
+// of the highest speed.
 #define C2D_CONTACTS 0
 #define C2D_STALLED 1
 #define C2D_UPDATES 2
+#define C2D_FASTEST 3
 
 // A contact as detect finds it is an int4: the numbers i < j of its circles, and the bits of the translation vector from i
 // to j.

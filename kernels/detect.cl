@@ -31,6 +31,7 @@ static float2 c2d_translation(float4 a, float4 b, int i, int j) {
     return (float2)(depth * normal.x, depth * normal.y);
 }
 
+#if C2D_PAIRWISE
 // The work-items of a slice of the pairs: first .. first + pairs - 1.
 #if C2D_TRIANGLE
 __kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global const uint *status,
@@ -57,3 +58,4 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
     }
 #endif
 }
+#endif

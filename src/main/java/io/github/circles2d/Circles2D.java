@@ -1,7 +1,11 @@
 package io.github.circles2d;
 
+import io.github.circles2d.pipeline.DeviceState;
 import io.github.circles2d.pipeline.Pipeline;
+import io.github.circles2d.pipeline.SmallPipeline;
+import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Stages;
+import io.github.circles2d.pipeline.Stepper;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 
@@ -32,8 +36,8 @@ import io.github.circles2d.pipeline.WorldConfig;
 public final class Circles2D implements AutoCloseable {
     private final ComputeDevice device;
     private final WorldConfig config;
-    private final Stages stages;
-    private final Pipeline pipeline;
+    private final DeviceState stages;
+    private final Stepper pipeline;
     private final CircleState state;
     private final LeakReporter leak;
     private StatsReader statsReader;
@@ -51,8 +55,15 @@ public final class Circles2D implements AutoCloseable {
         this.device = device;
         this.config = config;
         state = new CircleState(capacity);
-        stages = device.device().open(config);
-        pipeline = new Pipeline(stages);
+        if (config.solver() == Solver.SMALL_STEPS) {
+            SmallStages small = device.device().openSmall(config);
+            stages = small;
+            pipeline = new SmallPipeline(config, small);
+        } else {
+            Stages opened = device.device().open(config);
+            stages = opened;
+            pipeline = new Pipeline(opened);
+        }
         leak = LeakReporter.watch(this, device.toString());
     }
 
@@ -77,6 +88,12 @@ public final class Circles2D implements AutoCloseable {
 
         /** Time of one step, seconds, 1e-9 to 1e3. Default 1/60. */
         Builder timeStep(float seconds);
+
+        /**
+         * Substeps of a step of {@link Solver#SMALL_STEPS}, 1 to 512; 0, the default, to choose them before each step
+         * from the depth of the pile that the circles would make and from their speeds.
+         */
+        Builder substeps(int count);
 
         /** Gravity, world units / s^2, each component within 1e9. Default (0, -1). */
         Builder gravity(float ax, float ay);
@@ -186,7 +203,7 @@ public final class Circles2D implements AutoCloseable {
             return;
         }
         if (changed) {
-            stages.upload(state.circleBuffer(), state.velocityBuffer(), state.count(), state.maxRadius());
+            pipeline.upload(state.circleBuffer(), state.velocityBuffer(), state.count(), state.maxRadius());
             changed = false;
         }
         fresh = false;

@@ -9,7 +9,7 @@ import java.util.List;
  *
  * <p>The pairs of {@code n} circles are numbered c = 0 .. n(n-1)/2 - 1. A strategy maps c to a pair (i, j),
  * 0 <= i < j < n, one to one; in which order is its own affair: it never changes the result of a step, only its time.
- * Four are built in; implement the interface to add one. {@code n} goes up to 2^31 - 1, c is 64 bits wide.
+ * Five are built in; implement the interface to add one. {@code n} goes up to 2^31 - 1, c is 64 bits wide.
  *
  * <p>The OpenCL source runs with the rights of the process, like any native code: take it from people you trust.
  * Implementations are immutable.
@@ -17,6 +17,14 @@ import java.util.List;
 public interface IndexStrategy {
     /** A short name, unique among the strategies in use. */
     String name();
+
+    /**
+     * Whether the strategy numbers the pairs, as all do but {@link #grid()}. Where it does not, circles look for their
+     * neighbours in a grid of cells, and no other method but {@link #name()} is called.
+     */
+    default boolean pairwise() {
+        return true;
+    }
 
     /**
      * OpenCL C 1.2 that defines
@@ -100,9 +108,27 @@ public interface IndexStrategy {
         return IndexStrategies.FOLDED;
     }
 
+    /**
+     * No pairs at all: circles are sorted into square cells, and each looks into the cells around its own. The others
+     * take time that grows with the square of the number of circles, this one with the number.
+     *
+     * <p>It finds the contacts that they find, and so gives the same result. It has no pair index: {@link #pairwise()} is
+     * false, {@link #pairAt} throws, and there is nothing for a {@link CollisionStore#TRIANGLE} to hold, so that contacts
+     * go to the compact list.
+     *
+     * <p>The cells are those that own the contacts. Under {@link Solver#IMPULSE} they are as wide as the largest circle.
+     * Under {@link Solver#SMALL_STEPS} they come in levels, each twice as wide as the last, a circle lies in the level
+     * that fits its radius, and looks into its own level and into every wider one: radii may differ by any factor. A
+     * counting sort by cell (histogram, scan, scatter), then by number within a cell, makes the order of the circles
+     * independent of who came first.
+     */
+    static IndexStrategy grid() {
+        return IndexStrategies.GRID;
+    }
+
     /** The built-in strategies, the default last. */
     static List<IndexStrategy> builtIn() {
-        return List.of(formula(), pairTable(), rowSearch(), folded());
+        return List.of(formula(), pairTable(), rowSearch(), grid(), folded());
     }
 
     /**

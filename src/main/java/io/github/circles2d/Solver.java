@@ -27,5 +27,39 @@ public enum Solver {
      *   <li><b>The float formula.</b> See {@link IndexStrategy#formula()}.
      * </ul>
      */
-    IMPULSE
+    IMPULSE,
+
+    /**
+     * For piles that stand still and do not sink: the step is cut into small substeps of one pass each, since many small
+     * steps converge better than many iterations of a large one (Macklin et al., "Small Steps in Physics Simulation",
+     * SCA 2019).
+     *
+     * <p>A substep of h seconds: every circle takes up gravity, {@code v += g h}, and the impulses that its contacts
+     * expect; contacts are visited once, in a fixed order in which no two that share a circle run together; walls come
+     * last; then {@code x += h v}. Contacts are listed before the circles touch, as far as they can come in the time until
+     * the list is made again. A visit of a contact with gap s (negative where the circles overlap), normal n, approach
+     * velocity v_n and the impulse l that it had already does three things:
+     *
+     * <ul>
+     *   <li><b>Impulse.</b> {@code l' = max(0, l - (v_n + max(s, 0) / h) / (1/m_a + 1/m_b))}: the circles may close the gap,
+     *       no more; the sum over the substep is clamped, not the part. For the next substep {@code l' + b (l' - l_last)}
+     *       is applied at the start (warm start, extrapolated by b = {@value
+     *       io.github.circles2d.pipeline.Tuning#EXTRAPOLATE}).
+     *   <li><b>Restitution.</b> A contact without an impulse so far, whose circles approach faster than 4 g h before this
+     *       substep's impulses, gets {@code l' = -(v_n + e v_before) / (1/m_a + 1/m_b)}. That is never repeated by a warm
+     *       start.
+     *   <li><b>Positions.</b> A fifth of the overlap beyond 1 % of the smaller radius is undone, shared as the inverse
+     *       masses. It never enters the velocities, so it adds no energy.
+     * </ul>
+     *
+     * <p>Circles and walls may overlap by a few per cent of a radius, more while things fall fast; a centre never comes
+     * nearer to a wall than half a radius. Speeds are limited to one extent of the bounds a step. Circles with one centre
+     * part along a direction made from their numbers.
+     *
+     * <p><b>How many substeps</b> ({@link Circles2D.Builder#substeps}): the mean overlap of a pile H high of circles of
+     * radius R is about 0.12 R times {@code (H g h^2 / (1.8 R^2))^0.6}. In the unit box, g = 1, 60 steps a second, circles
+     * that cover 35 % of it: 16 substeps leave 0.004 R among 2,000 circles and 0.016 R among 20,000; 32 halve that. A
+     * circle should not go farther than its radius in a substep, or it may slip past another.
+     */
+    SMALL_STEPS
 }

@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-import io.github.circles2d.pipeline.Stages;
+import io.github.circles2d.pipeline.DeviceState;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -10,13 +10,13 @@ import java.nio.IntBuffer;
 final class StatsReader {
     private static final int CONTACTS = 1 << 14;
 
-    private final Stages stages;
+    private final DeviceState stages;
     private final WorldConfig config;
     private final IntBuffer contact = ByteBuffer.allocateDirect(16 * CONTACTS)
             .order(ByteOrder.nativeOrder())
             .asIntBuffer();
 
-    StatsReader(Stages stages, WorldConfig config) {
+    StatsReader(DeviceState stages, WorldConfig config) {
         this.stages = stages;
         this.config = config;
     }
@@ -24,16 +24,20 @@ final class StatsReader {
     StepStats read(long steps, long contacts, CircleState state) {
         double deepest = 0;
         double sum = 0;
+        long touching = 0;
         for (int from = 0; from < contacts; from += CONTACTS) {
             int part = (int) Math.min(CONTACTS, contacts - from);
             stages.contacts(from, part, contact);
             for (int k = 0; k < part; k++) {
-                float smaller = Math.min(state.radius(contact.get(4 * k)), state.radius(contact.get(4 * k + 1)));
-                float x = Float.intBitsToFloat(contact.get(4 * k + 2));
-                float y = Float.intBitsToFloat(contact.get(4 * k + 3));
-                double overlap = Math.hypot(x, y) / smaller;
-                deepest = Math.max(deepest, overlap);
-                sum += overlap;
+                int i = contact.get(4 * k);
+                int j = contact.get(4 * k + 1);
+                double depth = config.solver() == Solver.SMALL_STEPS ? depth(state, i, j) : foundDepth(4 * k);
+                if (depth > 0) {
+                    double overlap = depth / Math.min(state.radius(i), state.radius(j));
+                    deepest = Math.max(deepest, overlap);
+                    sum += overlap;
+                    touching++;
+                }
             }
         }
         double energy = 0;
@@ -51,12 +55,31 @@ final class StatsReader {
             fastest = Math.max(fastest, Math.hypot(vx, vy));
             outside += inside(state.x(slot), state.y(slot), state.radius(slot)) ? 0 : 1;
         }
-        double mean = contacts == 0 ? 0 : sum / contacts;
-        return new StepStats(steps, contacts, deepest, mean, energy, momentumX, momentumY, fastest, outside);
+        double mean = touching == 0 ? 0 : sum / touching;
+        return new StepStats(steps, touching, deepest, mean, energy, momentumX, momentumY, fastest, outside);
+    }
+
+    /** The overlap of a contact as the step found it, world units. */
+    private double foundDepth(int at) {
+        return Math.hypot(Float.intBitsToFloat(contact.get(at + 2)), Float.intBitsToFloat(contact.get(at + 3)));
+    }
+
+    /** The overlap of two circles as they are now, world units. */
+    private static double depth(CircleState state, int i, int j) {
+        double dx = (double) state.x(j) - state.x(i);
+        double dy = (double) state.y(j) - state.y(i);
+        return (double) state.radius(i) + state.radius(j) - Math.sqrt(dx * dx + dy * dy);
     }
 
     /** In the arithmetic of the walls; NaN is outside. */
     private boolean inside(float x, float y, float radius) {
+        if (config.solver() == Solver.SMALL_STEPS) {
+            float half = 0.5f * radius;
+            return x >= config.minX() + half
+                    && x <= config.maxX() - half
+                    && y >= config.minY() + half
+                    && y <= config.maxY() - half;
+        }
         return x >= config.minX() + radius
                 && x <= config.maxX() - radius
                 && y >= config.minY() + radius

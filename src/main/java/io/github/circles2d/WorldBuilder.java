@@ -9,6 +9,7 @@ final class WorldBuilder implements Circles2D.Builder {
     private IndexStrategy strategy = IndexStrategy.folded();
     private CollisionStore store = CollisionStore.COMPACT;
     private Solver solver = Solver.IMPULSE;
+    private int substeps;
     private float timeStep = 1f / 60;
     private float gravityX;
     private float gravityY = -1;
@@ -49,6 +50,12 @@ final class WorldBuilder implements Circles2D.Builder {
     @Override
     public WorldBuilder timeStep(float seconds) {
         timeStep = Check.range("timeStep", seconds, Tuning.MIN_TIME_STEP, Tuning.MAX_TIME_STEP);
+        return this;
+    }
+
+    @Override
+    public WorldBuilder substeps(int count) {
+        substeps = Check.range("substeps", count, 0, Tuning.MAX_SUBSTEPS);
         return this;
     }
 
@@ -124,7 +131,8 @@ final class WorldBuilder implements Circles2D.Builder {
                 solver,
                 workGroup,
                 pairsPerSlice,
-                smallWorld);
+                smallWorld,
+                substeps);
         return new Circles2D(device != null ? device : ComputeDevice.preferred(), config, capacity);
     }
 }

@@ -14,10 +14,10 @@ final class Options {
     static final String HELP = """
             Circles2D: rigid circles in a box, in a window, or headless into a picture and a summary.
 
-              --scene NAME         thesis (default) or gas
+              --scene NAME         thesis (default), gas, pile, mixed or column
               --circles N          number of circles, default 1250
               --device NAME|INDEX  where it runs: gpu, cpu, host, a part of a name, or an index of --list
-              --strategy NAME      formula, pair_table, row_search or folded (default)
+              --strategy NAME      formula, pair_table, row_search, grid or folded (default)
               --store NAME         compact (default) or triangle
               --steps N            end after N steps; headless or with --screenshot the default is 1200
               --screenshot FILE    save a picture at the end, FILE.png

@@ -54,8 +54,63 @@ public record Scene(
         }
     });
 
+    /**
+     * Circles at rest all over the box, apart from each other, that fall and make a pile: they cover at most 35 % of it.
+     * Radii from 0.66 R to R, masses from 1 to 10.
+     */
+    public static final Scene PILE = new Scene("pile", 0, -1, 0.5f, (world, circles) -> {
+        SplittableRandom random = new SplittableRandom(SEED);
+        int side = (int) Math.ceil(Math.sqrt(circles));
+        float cell = 1f / Math.max(1, side);
+        float largest = largest(circles);
+        CircleDef def = new CircleDef();
+        for (int i = 0; i < circles; i++) {
+            float radius = largest * (0.66f + 0.34f * (float) random.nextDouble());
+            float free = 0.99f * Math.max(0, cell / 2 - radius);
+            def.position(
+                    (i % side + 0.5f) * cell + free * (float) random.nextDouble(-1, 1),
+                    (i / side + 0.5f) * cell + free * (float) random.nextDouble(-1, 1));
+            def.radius(radius);
+            def.mass(1 + 9 * (float) random.nextDouble());
+            world.addCircle(def);
+        }
+    });
+
+    /**
+     * Radii of all sizes up to 30 times the smallest, as many of each as fill the same area, masses as their areas: a pile
+     * of pebbles and boulders. Circles lie at random places and may overlap at first.
+     */
+    public static final Scene MIXED = new Scene("mixed", 0, -1, 0.5f, (world, circles) -> {
+        SplittableRandom random = new SplittableRandom(SEED);
+        // radii r between 1 and 30 with a density of 1/r^3 have a mean square of 2 ln 30 / (1 - 1/900)
+        double smallest = Math.sqrt(0.35 / (Math.PI * Math.max(1, circles) * 2 * Math.log(30) / (1 - 1 / 900.0)));
+        CircleDef def = new CircleDef();
+        for (int i = 0; i < circles; i++) {
+            double size = 1 / Math.sqrt(1 - random.nextDouble() * (1 - 1 / 900.0));
+            float radius = (float) Math.min(0.2, smallest * size);
+            def.position(
+                    radius + (1 - 2 * radius) * (float) random.nextDouble(),
+                    radius + (1 - 2 * radius) * (float) random.nextDouble());
+            def.radius(radius);
+            def.mass((float) (size * size));
+            world.addCircle(def);
+        }
+    });
+
+    /** Circles of one size on top of each other, in the middle of the box, at rest. */
+    public static final Scene COLUMN = new Scene("column", 0, -1, 0.5f, (world, circles) -> {
+        float radius = 0.4f / Math.max(1, circles);
+        for (int i = 0; i < circles; i++) {
+            world.addCircle(0.5f, radius * (2 * i + 1), radius, 1);
+        }
+    });
+
+    private static float largest(int circles) {
+        return (float) Math.sqrt(0.35 / (Math.PI * Math.max(1, circles)));
+    }
+
     /** Every scene, the default first. */
-    public static final List<Scene> ALL = List.of(THESIS, GAS);
+    public static final List<Scene> ALL = List.of(THESIS, GAS, PILE, MIXED, COLUMN);
 
     /** The scene of a name. */
     public static Scene named(String name) {

@@ -1,6 +1,5 @@
 package io.github.circles2d.host;
 
-import io.github.circles2d.CollisionStore;
 import io.github.circles2d.pipeline.CellGrid;
 import io.github.circles2d.pipeline.WorldConfig;
 
@@ -19,7 +18,7 @@ final class Colour {
     }
 
     void run(CellGrid cells) {
-        if (config.store() == CollisionStore.TRIANGLE) {
+        if (config.triangle()) {
             detect.collect();
         }
         contacts.matchRoom();

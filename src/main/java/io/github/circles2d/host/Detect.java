@@ -1,7 +1,6 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.CapacityException;
-import io.github.circles2d.CollisionStore;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.pipeline.Slices;
 import io.github.circles2d.pipeline.WorldConfig;
@@ -18,7 +17,7 @@ final class Detect {
     private final Contacts contacts;
     private Slices slices = Slices.NONE;
     private ByteBuffer[] tables = {};
-    /** The thesis' triangle, (x, y) a pair, a slice each; empty for {@link CollisionStore#COMPACT}. */
+    /** The thesis' triangle, (x, y) a pair, a slice each; empty for {@link io.github.circles2d.CollisionStore#COMPACT}. */
     private float[][] collision = {};
 
     Detect(WorldConfig config, State state, Contacts contacts) {
@@ -29,7 +28,7 @@ final class Detect {
 
     /** Makes the look-up tables and the triangle for as many circles as there are. */
     void prepare() {
-        if (slices.circles() == state.circles) {
+        if (slices.circles() == state.circles || !config.strategy().pairwise()) {
             return;
         }
         long most = config.pairsPerSlice() > 0 ? config.pairsPerSlice() : PAIRS_PER_SLICE;
@@ -40,7 +39,7 @@ final class Detect {
         collision = new float[wanted.count()][];
         for (int s = 0; s < wanted.count(); s++) {
             long bytes = strategy.tableBytes(state.circles, wanted.pairs(s));
-            boolean triangle = config.store() == CollisionStore.TRIANGLE;
+            boolean triangle = config.triangle();
             if (bytes > Integer.MAX_VALUE - 64) {
                 throw new CapacityException("the table of strategy " + strategy.name() + " for " + state.circles
                         + " circles takes " + bytes + " bytes; plain Java has room for " + (Integer.MAX_VALUE - 64));
@@ -60,7 +59,7 @@ final class Detect {
     }
 
     void run() {
-        boolean triangle = config.store() == CollisionStore.TRIANGLE;
+        boolean triangle = config.triangle();
         for (int s = 0; s < slices.count(); s++) {
             long first = slices.first(s);
             for (long pair = first; pair < first + slices.pairs(s); pair++) {
@@ -81,7 +80,7 @@ final class Detect {
      * The minimum translation vector, from i to j: as long as the overlap, along the line of centres. Goes to the
      * triangle if there is one, else to the contacts.
      */
-    private void pair(int i, int j, float[] triangle, int at) {
+    void pair(int i, int j, float[] triangle, int at) {
         float[] circle = state.circle;
         float dx = circle[4 * j] - circle[4 * i];
         float dy = circle[4 * j + 1] - circle[4 * i + 1];
@@ -119,7 +118,7 @@ final class Detect {
     }
 
     /** For circles with one centre: their numbers, mixed; the direction is the point (low, high half) seen from the middle. */
-    private static int directionHash(int i, int j) {
+    static int directionHash(int i, int j) {
         int h = i * 0x9E3779B1 ^ j * 0x85EBCA77;
         h = (h ^ h >>> 15) * 0x2C1B3C6D;
         h = (h ^ h >>> 12) * 0x297A2D39;

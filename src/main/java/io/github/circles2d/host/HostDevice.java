@@ -2,6 +2,7 @@ package io.github.circles2d.host;
 
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.pipeline.Device;
+import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.WorldConfig;
 
@@ -30,5 +31,10 @@ public final class HostDevice implements Device {
     @Override
     public Stages open(WorldConfig config) {
         return new HostStages(config);
+    }
+
+    @Override
+    public SmallStages openSmall(WorldConfig config) {
+        return new HostSmallStages(config);
     }
 }

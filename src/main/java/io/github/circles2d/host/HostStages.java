@@ -14,6 +14,7 @@ public final class HostStages implements Stages {
     private final Contacts contacts = new Contacts();
     private final Update update;
     private final Detect detect;
+    private final Near near;
     private final Colour colour;
     private final Resolve resolve;
     private CellGrid cells;
@@ -22,6 +23,7 @@ public final class HostStages implements Stages {
         this.config = config;
         update = new Update(config, state, contacts);
         detect = new Detect(config, state, contacts);
+        near = new Near(state, detect);
         colour = new Colour(config, state, contacts, detect);
         resolve = new Resolve(contacts, new Contact(config, state));
     }
@@ -48,7 +50,11 @@ public final class HostStages implements Stages {
 
     @Override
     public void detect() {
-        detect.run();
+        if (config.strategy().pairwise()) {
+            detect.run();
+        } else {
+            near.run(cells);
+        }
     }
 
     @Override

@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.CollisionStore;
 import io.github.circles2d.pipeline.Slices;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
@@ -78,7 +77,7 @@ final class Detect {
         this.session = session;
         this.program = program;
         this.config = config;
-        triangle = config.store() == CollisionStore.TRIANGLE;
+        triangle = config.triangle();
     }
 
     void bind(State state, Contacts contacts, int group) {

@@ -10,6 +10,8 @@ import org.jocl.cl_mem;
 
 /** One buffer of the device: owns its {@code cl_mem}. Named as the kernels name it. */
 final class DeviceBuffer implements AutoCloseable {
+    private static final long COPIED_AT_ONCE = 1 << 22;
+
     private final Session session;
     private final String name;
     private cl_mem memory;
@@ -38,6 +40,53 @@ final class DeviceBuffer implements AutoCloseable {
         Cl.checkAllocation("clCreateBuffer", status[0], name, needed);
         memory = created;
         bytes = needed;
+    }
+
+    /** As {@link #ensure}, but keeps what is in the buffer, and sets every int of what is new to {@code value}. */
+    void grow(long wanted, int value) {
+        long needed = Math.max(wanted, 16);
+        if (bytes >= needed) {
+            return;
+        }
+        cl_mem old = memory;
+        long kept = bytes;
+        memory = null;
+        bytes = 0;
+        try {
+            ensure(needed);
+        } catch (RuntimeException e) {
+            memory = old;
+            bytes = kept;
+            throw e;
+        }
+        try {
+            copy(old, kept, value);
+        } finally {
+            if (old != null) {
+                Cl.checkRelease("clReleaseMemObject(" + name + ")", session.api.releaseMemObject(old));
+                session.unbook(kept);
+            }
+        }
+    }
+
+    /** Fills this buffer with {@code kept} bytes of another and then with a value, a part at a time. */
+    private void copy(cl_mem old, long kept, int value) {
+        ByteBuffer part =
+                ByteBuffer.allocateDirect((int) Math.min(bytes, COPIED_AT_ONCE)).order(ByteOrder.nativeOrder());
+        Pointer pointer = Pointer.to(part);
+        for (long from = 0; from < bytes; from += part.capacity()) {
+            long count = Math.min(part.capacity(), bytes - from);
+            long keep = Math.max(0, Math.min(count, kept - from));
+            for (long at = keep; at < count; at += 4) {
+                part.putInt((int) at, value);
+            }
+            if (keep > 0) {
+                Cl.check("clEnqueueReadBuffer", session.api.enqueueReadBuffer(session.queue, old, from, keep, pointer));
+            }
+            Cl.check(
+                    "clEnqueueWriteBuffer",
+                    session.api.enqueueWriteBuffer(session.queue, memory, from, count, pointer));
+        }
     }
 
     /** Makes this buffer a part of another one, which must have been {@link #ensure ensured} and stays its owner. */

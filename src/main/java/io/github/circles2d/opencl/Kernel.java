@@ -19,6 +19,8 @@ final class Kernel implements AutoCloseable {
     private final long[] local = new long[1];
     private long items;
     private long itemsPerLaunch;
+    /** How many arguments {@link #arguments} set. */
+    private int set;
 
     Kernel(Session session, Program program, String name) {
         this.session = session;
@@ -43,8 +45,23 @@ final class Kernel implements AutoCloseable {
      * {@code float[]} (a vector), {@code Object[]} (several arguments).
      */
     Kernel arguments(Object... values) {
-        set(0, values);
+        set = set(0, values);
         return this;
+    }
+
+    /** Sets the arguments that come after those of {@link #arguments}. */
+    void more(float first, float second) {
+        set(set, first, second);
+    }
+
+    /** Work-items of a group. */
+    int group() {
+        return (int) local[0];
+    }
+
+    /** Groups of a launch. */
+    long groups() {
+        return items / local[0];
     }
 
     private int set(int from, Object... values) {

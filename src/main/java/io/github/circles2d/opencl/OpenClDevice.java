@@ -3,6 +3,7 @@ package io.github.circles2d.opencl;
 import io.github.circles2d.Circles2DException;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.pipeline.Device;
+import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.WorldConfig;
 import org.jocl.CL;
@@ -105,6 +106,11 @@ public final class OpenClDevice implements Device {
     @Override
     public Stages open(WorldConfig config) {
         return new OpenClStages(this, config);
+    }
+
+    @Override
+    public SmallStages openSmall(WorldConfig config) {
+        return new OpenClSmallStages(this, config);
     }
 
     boolean isGpu() {

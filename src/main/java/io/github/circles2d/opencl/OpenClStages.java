@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.CollisionStore;
 import io.github.circles2d.pipeline.CellGrid;
 import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Stages;
@@ -23,7 +22,10 @@ final class OpenClStages implements Stages {
     private Boolean wide;
     private Program program;
     private Update update;
+    /** One of the two is null: pairs are numbered, or they are not. */
     private Detect detect;
+
+    private Near near;
     private Colour colour;
     private Resolve resolve;
     private CellGrid cells;
@@ -56,21 +58,27 @@ final class OpenClStages implements Stages {
                 session,
                 Map.of(
                         "C2D_WIDE", wanted ? 1 : 0,
-                        "C2D_TRIANGLE", config.store() == CollisionStore.TRIANGLE ? 1 : 0,
+                        "C2D_TRIANGLE", config.triangle() ? 1 : 0,
+                        "C2D_PAIRWISE", config.strategy().pairwise() ? 1 : 0,
                         "C2D_BLOCK", Tuning.BLOCK),
                 List.of(
                         Program.file("common.cl"),
                         Map.entry(
                                 "index_" + config.strategy().name() + ".cl",
-                                config.strategy().kernelSource()),
+                                config.strategy().pairwise() ? config.strategy().kernelSource() : ""),
                         Program.file("update.cl"),
                         Program.file("detect.cl"),
                         Program.file("contact.cl"),
                         Program.file("colour.cl"),
-                        Program.file("resolve.cl")));
+                        Program.file("resolve.cl"),
+                        Program.file("near.cl")));
         // kernels of the old program go with the session; a world crosses this line once
         update = new Update(session, program);
-        detect = new Detect(session, program, config);
+        if (config.strategy().pairwise()) {
+            detect = new Detect(session, program, config);
+        } else {
+            near = new Near(session, program);
+        }
         colour = new Colour(session, program);
         resolve = new Resolve(session, program);
         wide = wanted;
@@ -91,7 +99,11 @@ final class OpenClStages implements Stages {
 
     private void bind() {
         update.bind(config, state, contacts, cells, group);
-        detect.bind(state, contacts, group);
+        if (near != null) {
+            near.bind(state, contacts, cells, group, oneGroup);
+        } else {
+            detect.bind(state, contacts, group);
+        }
         colour.bind(state, contacts, cells, config.restitution(), group, oneGroup);
         resolve.bind(config, state, contacts, cells, group, oneGroup);
     }
@@ -109,7 +121,11 @@ final class OpenClStages implements Stages {
 
     @Override
     public void detect() {
-        detect.run();
+        if (near != null) {
+            near.run();
+        } else {
+            detect.run();
+        }
     }
 
     private boolean small() {
@@ -119,7 +135,9 @@ final class OpenClStages implements Stages {
     /** In a small world, one work-group does this together with resolve. */
     @Override
     public void colour() {
-        detect.collect();
+        if (detect != null) {
+            detect.collect();
+        }
         if (!small()) {
             colour.run();
         }

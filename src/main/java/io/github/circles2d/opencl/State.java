@@ -13,7 +13,7 @@ import org.jocl.Pointer;
  * microseconds, however small.
  */
 final class State {
-    private static final int STATUS_BYTES = 12;
+    private static final int STATUS_BYTES = 16;
 
     final DeviceBuffer status;
     final DeviceBuffer circle;
@@ -85,6 +85,11 @@ final class State {
         int updates = copy.getInt(8) - updatesSeen;
         updatesSeen = copy.getInt(8);
         return new Status(Integer.toUnsignedLong(copy.getInt(0)), copy.getInt(4) != 0, updates);
+    }
+
+    /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */
+    float fastest() {
+        return copy.getFloat(12);
     }
 
     /** Says that kernels have been queued that change the circles. */

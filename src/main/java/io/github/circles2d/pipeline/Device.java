@@ -15,6 +15,9 @@ public interface Device {
     /** Whether its arithmetic gives the bits of Java. The first call may run a check on the device. */
     boolean deterministic();
 
-    /** A new, empty world. */
+    /** A new, empty world of {@link io.github.circles2d.Solver#IMPULSE}. */
     Stages open(WorldConfig config);
+
+    /** A new, empty world of {@link io.github.circles2d.Solver#SMALL_STEPS}. */
+    SmallStages openSmall(WorldConfig config);
 }

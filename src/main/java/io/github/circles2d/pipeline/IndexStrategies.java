@@ -3,7 +3,7 @@ package io.github.circles2d.pipeline;
 import io.github.circles2d.IndexStrategy;
 import java.nio.ByteBuffer;
 
-/** The built-in strategies; each is the twin of {@code kernels/index_<name>.cl}. */
+/** The built-in strategies; each but the grid is the twin of {@code kernels/index_<name>.cl}. */
 public abstract class IndexStrategies implements IndexStrategy {
     public static final IndexStrategy FORMULA = new IndexStrategies("formula") {
         @Override
@@ -93,6 +93,23 @@ public abstract class IndexStrategies implements IndexStrategy {
             return q < circles - 1 - p
                     ? IndexStrategy.pack(p, p + 1 + q)
                     : IndexStrategy.pack(circles - 1 - odd - p, q + 1 - odd);
+        }
+    };
+
+    public static final IndexStrategy GRID = new IndexStrategies("grid") {
+        @Override
+        public boolean pairwise() {
+            return false;
+        }
+
+        @Override
+        public String kernelSource() {
+            return "";
+        }
+
+        @Override
+        public long pairAt(long pair, long first, int circles, ByteBuffer table) {
+            throw new UnsupportedOperationException("grid() does not number the pairs");
         }
     };
 

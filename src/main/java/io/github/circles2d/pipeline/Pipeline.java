@@ -1,5 +1,7 @@
 package io.github.circles2d.pipeline;
 
+import java.nio.FloatBuffer;
+
 /**
  * Calls the stages of a step in order: update, detect, colour, resolve; the same for every device.
  *
@@ -7,7 +9,7 @@ package io.github.circles2d.pipeline;
  * leave the state alone until {@link #await()} has made room and taken the stalled step up again, from detect on. So
  * no contact is ever dropped, and no step needs to wait.
  */
-public final class Pipeline {
+public final class Pipeline implements Stepper {
     private final Stages stages;
     private int inFlight;
     private long contacts;
@@ -16,7 +18,13 @@ public final class Pipeline {
         this.stages = stages;
     }
 
+    @Override
+    public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
+        stages.upload(circle, velocities, circles, maxRadius);
+    }
+
     /** Queues one step; waits only when {@link Tuning#STEPS_IN_FLIGHT} are queued. */
+    @Override
     public void step() {
         stages.update();
         collide();
@@ -32,6 +40,7 @@ public final class Pipeline {
     }
 
     /** Waits until every queued step is done, growing the room for contacts where one needs it. */
+    @Override
     public void await() {
         if (inFlight == 0) {
             return;
@@ -53,6 +62,7 @@ public final class Pipeline {
     }
 
     /** Contacts of the last step that {@link #await()} saw. */
+    @Override
     public long contacts() {
         return contacts;
     }

@@ -1,13 +1,12 @@
 package io.github.circles2d.pipeline;
 
 import java.nio.FloatBuffer;
-import java.nio.IntBuffer;
 
 /**
  * The stages of a step on one device, and the state they work on. {@link Pipeline} calls them in order; calls may
  * return before the device is done, save those that say they wait. Not thread-safe.
  */
-public interface Stages extends AutoCloseable {
+public interface Stages extends DeviceState {
     /**
      * Replaces the whole state. Waits.
      *
@@ -16,9 +15,6 @@ public interface Stages extends AutoCloseable {
      * @param maxRadius largest radius among them, world units
      */
     void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius);
-
-    /** Reads the whole state into the buffers of {@link #upload}. Waits. */
-    void download(FloatBuffer circle, FloatBuffer velocities);
 
     /** Integrates velocities and positions, walls included; empties the contacts. */
     void update();
@@ -31,22 +27,4 @@ public interface Stages extends AutoCloseable {
 
     /** Moves circles apart and exchanges impulses. */
     void resolve();
-
-    /** Waits for everything and says how far it went. */
-    Status await();
-
-    /** Makes room for the contacts of a step that stalled, and readies the device to detect it again. */
-    void makeRoom(long contacts);
-
-    /**
-     * Reads contacts {@code from .. from + count - 1} of the last step, in the order they were found in. Waits.
-     *
-     * @param to an int4 a contact: the numbers i < j of its circles, and the bits of the vector that parts them, from i
-     *     to j, world units; direct, native order, written from 0
-     */
-    void contacts(int from, int count, IntBuffer to);
-
-    /** Releases everything the stages own. Idempotent. */
-    @Override
-    void close();
 }

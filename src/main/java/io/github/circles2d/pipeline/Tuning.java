@@ -82,5 +82,95 @@ public final class Tuning {
     /** Largest world, in circles, that one work-group colours and resolves. 0 (never) to some ten thousand. */
     public static final int SMALL_WORLD = 4096;
 
+    // ---- Solver.SMALL_STEPS
+
+    /** Most substeps of a step. */
+    public static final int MAX_SUBSTEPS = 512;
+
+    /** Substeps chosen where none are asked for: fewest in a small and in a large world, and most. 4 to 512. */
+    public static final int AUTO_FEWEST_SMALL = 16;
+
+    public static final int AUTO_FEWEST = 8;
+
+    public static final int AUTO_MOST = 96;
+
+    /** Circles up to which a world is small in that sense: its substeps are cheap, and thin columns need them. */
+    public static final int AUTO_SMALL = 8000;
+
+    /** Substeps chosen come in multiples of this, so that they seldom change. 1 to 8. */
+    public static final int AUTO_UNIT = 4;
+
+    /**
+     * How deep a pile may sink, a pure number: H g h^2 / (1.8 r^2) for a pile H high and substeps of h. The mean overlap
+     * is 0.12 R times its power 0.6: 0.099 for 0.03 R, 0.0505 for 0.02 R.
+     */
+    public static final double AUTO_DEPTH = 0.099;
+
+    /** Share of the area that circles in a pile cover. */
+    public static final double PILE_DENSITY = 0.82;
+
+    /** Farthest that a circle should go in a substep, radii, as far as that takes no more substeps than the next. 0.25 to 1. */
+    public static final double AUTO_TRAVEL = 0.5;
+
+    public static final double AUTO_MOST_FOR_SPEED = 64;
+
+    /** Share of the last change that the next impulse of a contact is extrapolated by. 0 to 0.5: more, and piles boil. */
+    public static final float EXTRAPOLATE = 0.4f;
+
+    /** The same where one radius is more than {@link #UNEVEN} times the other. */
+    public static final float EXTRAPOLATE_UNEVEN = 0.2f;
+
+    public static final float UNEVEN = 2;
+
+    /** Overlap, in smaller radii, beyond which nothing is extrapolated: the normal turns too fast. */
+    public static final float DEEP = 0.25f;
+
+    /** Share of an overlap that a substep undoes. 0.1 to 0.4. */
+    public static final float PUSH = 0.2f;
+
+    /** Overlap that is left alone, smaller radii. 0.002 to 0.02. */
+    public static final float SLOP = 0.01f;
+
+    /** Most that overlap is undone by in a whole step, smaller radii. */
+    public static final float PUSH_MOST = 1;
+
+    /** Approach below which nothing bounces, in what gravity adds to a velocity in a substep. 2 to 8. */
+    public static final float BOUNCE_FROM = 4;
+
+    /** Loss of velocity of circles that others carry, 1/s. 0 to 2. */
+    public static final float DRAG = 0.5f;
+
+    /** Largest impulse kept for the next substep: finite, so that two of them never make a NaN. */
+    public static final float IMPULSE_MOST = 1e15f;
+
+    /** How far the reach of a circle goes beyond its radius, radii: cells are 2 r (1 + this) wide. 0.25 to 1. */
+    public static final float REACH = 0.5f;
+
+    /** Gap up to which a contact is always listed, smaller radii. 0.05 to 0.2. */
+    public static final float ALWAYS_NEAR = 0.1f;
+
+    /** Most levels of cells. */
+    public static final int LEVELS = 20;
+
+    /** Most of the finest cells along one axis: their numbers, and twice as many, are exact in a float. */
+    public static final int MAX_FINE_CELLS_PER_AXIS = 1 << 20;
+
+    /** Cells of one level, a circle, beyond which the level is folded into a torus; and the cells of that torus. 1 to 8. */
+    public static final int LEVEL_CELLS_PER_CIRCLE = 4;
+
+    public static final int FOLDED_CELLS_PER_CIRCLE = 2;
+
+    /** Shift of a folded level from one turn of the torus to the next, a share of its height. */
+    public static final double FOLD_SHIFT = 0.309;
+
+    /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64. */
+    public static final int SCAN = 8;
+
+    /** Owners of one colour up to which the levels from there on are solved by one work-group. 0 (never) to 4,096. */
+    public static final int NARROW = 1024;
+
+    /** Fewest circles or contacts that plain Java gives to another thread: waking one takes some 20 us. 500 to 10,000. */
+    public static final int HOST_ITEMS = 2000;
+
     private Tuning() {}
 }

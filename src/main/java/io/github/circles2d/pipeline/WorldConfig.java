@@ -9,7 +9,9 @@ import io.github.circles2d.Solver;
  *
  * @param workGroup work-items of a group, 0 for what suits the device
  * @param pairsPerSlice most pairs that share one buffer of the triangle or of a table, 0 for what the device allows
- * @param smallWorld largest world, in circles, that is coloured and resolved by one work-group
+ * @param smallWorld largest world, in circles, that is coloured and resolved by one work-group; of small steps, 0 says
+ *     that no level is solved by one
+ * @param substeps substeps of a step, 0 to choose
  */
 public record WorldConfig(
         float timeStep,
@@ -25,7 +27,47 @@ public record WorldConfig(
         Solver solver,
         int workGroup,
         long pairsPerSlice,
-        int smallWorld) {
+        int smallWorld,
+        int substeps) {
+
+    /** A world that chooses its substeps. */
+    public WorldConfig(
+            float timeStep,
+            float gravityX,
+            float gravityY,
+            float restitution,
+            float minX,
+            float minY,
+            float maxX,
+            float maxY,
+            IndexStrategy strategy,
+            CollisionStore store,
+            Solver solver,
+            int workGroup,
+            long pairsPerSlice,
+            int smallWorld) {
+        this(
+                timeStep,
+                gravityX,
+                gravityY,
+                restitution,
+                minX,
+                minY,
+                maxX,
+                maxY,
+                strategy,
+                store,
+                solver,
+                workGroup,
+                pairsPerSlice,
+                smallWorld,
+                0);
+    }
+
+    /** Whether translation vectors go to the triangle: only detect by pairs has one. */
+    public boolean triangle() {
+        return store == CollisionStore.TRIANGLE && strategy.pairwise() && solver == Solver.IMPULSE;
+    }
 
     /** What gravity adds to a velocity in one step, world units a second. */
     public float velocityGainX() {

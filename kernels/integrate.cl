@@ -1,0 +1,136 @@
+// A substep's share of each circle alone: at its end walls and motion, at its start gravity and kicks. One work-item a
+// circle. Twin of host.Integrate. Also how circles come into the order of the cells and back.
+
+// One coordinate of a circle. A struct, not an array: arrays with an index go to slow memory.
+typedef struct {
+    float position;
+    float velocity;
+    float kick;
+} c2d_axis;
+
+// A wall, as a contact with something that does not move. `sign` leads inside, `kicked` is the kick in the velocity.
+static c2d_axis c2d_small_wall(c2d_axis a, float sign, float gap, float radius, float w, float kicked, bool carried,
+                               float gain, __global float *come, __global float *last, __global const float *rule) {
+    const float speed = sign * a.velocity;
+    if (!(gap < 2.0f * radius || gap + speed * C2D_TIME < 0.0f)) {
+        return a;
+    }
+    const float was = *come;
+    const float old = *last;
+    float impulse = was - (speed + c2d_positive(gap) * C2D_PER_TIME) / w;
+    bool bounced = false;
+    if (!(impulse > 0.0f)) {
+        impulse = 0.0f;
+    } else if (was == 0.0f) {
+        const float before = speed - sign * (kicked + gain);
+        if (before < -C2D_BOUNCE_FROM && !(old < 0.0f && carried)) {
+            bounced = true;
+            impulse = c2d_positive(-(speed + C2D_RESTITUTION * before) / w);
+        }
+    }
+    const float push = C2D_PUSH * c2d_positive(-gap - C2D_SLOP * radius);
+    const float most = C2D_PUSH_MOST * radius;
+    a.position += sign * (push < most ? push : most);
+    a.velocity += sign * (w * (impulse - was));
+    float next = 0.0f;
+    if (!bounced && impulse > 0.0f) {
+        next = c2d_extrapolated(impulse, old, C2D_EXTRAPOLATE, C2D_IMPULSE_MOST);
+        a.kick += sign * (w * next);
+    }
+    *come = next;
+    *last = bounced ? -1.0f : impulse;
+    return a;
+}
+
+// Both walls of an axis; gaps are those before either moves the circle. Then the way of the substep.
+static c2d_axis c2d_small_move(c2d_axis a, int axis, float radius, float w, float kicked, bool carried,
+                               __global float *wall, __global const float *rule) {
+    const float low = a.position - C2D_MIN(axis) - radius;
+    const float high = C2D_MAX(axis) - a.position - radius;
+    const float gain = C2D_GAIN(axis);
+    wall += 2 * axis;
+    a = c2d_small_wall(a, 1.0f, low, radius, w, kicked, carried, gain, wall, wall + 4, rule);
+    a = c2d_small_wall(a, -1.0f, high, radius, w, kicked, carried, gain, wall + 1, wall + 5, rule);
+    const float half_radius = 0.5f * radius;
+    const float min = C2D_MIN(axis) + half_radius;
+    const float max = C2D_MAX(axis) - half_radius;
+    a.position += C2D_TIME * a.velocity;
+    if (!(a.position >= min)) {
+        a.position = min;
+        a.velocity = a.velocity < 0.0f ? -C2D_RESTITUTION * a.velocity : a.velocity;
+    } else if (a.position > max) {
+        a.position = max;
+        a.velocity = a.velocity > 0.0f ? -C2D_RESTITUTION * a.velocity : a.velocity;
+    }
+    return a;
+}
+
+static c2d_axis c2d_small_kick(c2d_axis a, int axis, float slowed, __global const float *rule) {
+    const float most = C2D_SPEED(axis);
+    const float velocity = a.velocity * slowed + (C2D_GAIN(axis) + a.kick);
+    const float low = velocity < most ? velocity : most;
+    a.velocity = low > -most ? low : -most;
+    a.kick = 0.0f;
+    return a;
+}
+
+__kernel void c2d_integrate(__global float8 *body, __global const int *id, __global float2 *kicked,
+                            __global float *walls, __global const uint *status, __global const float *rule, int circles,
+                            int move, int kick) {
+    const int i = (int)get_global_id(0);
+    if (i >= circles || status[C2D_STALLED] != 0u) {
+        return;
+    }
+    const float8 b = body[i];
+    c2d_axis x = {b.s0, b.s2, b.s4};
+    c2d_axis y = {b.s1, b.s3, b.s5};
+    if (move) {
+        const float2 u = kicked[i];
+        const bool carried = u.x != 0.0f || u.y != 0.0f;
+        __global float *wall = walls + 8 * id[i];
+        x = c2d_small_move(x, 0, b.s6, b.s7, u.x, carried, wall, rule);
+        y = c2d_small_move(y, 1, b.s6, b.s7, u.y, carried, wall, rule);
+    }
+    if (kick) {
+        const float slowed = x.kick != 0.0f || y.kick != 0.0f ? C2D_SLOWED : 1.0f;
+        kicked[i] = (float2)(x.kick, y.kick);
+        x = c2d_small_kick(x, 0, slowed, rule);
+        y = c2d_small_kick(y, 1, slowed, rule);
+    }
+    body[i] = (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
+}
+
+// After an upload: the circles in the order of their numbers.
+__kernel void c2d_load(__global const float4 *circle, __global const float2 *velocities, __global const float2 *kick,
+                       int circles, __global float8 *body, __global int *id) {
+    const int i = (int)get_global_id(0);
+    if (i < circles) {
+        const float4 c = circle[i];
+        body[i] = (float8)(c.x, c.y, velocities[i].x, velocities[i].y, kick[i].x, kick[i].y, c.z, 1.0f / c.w);
+        id[i] = i;
+    }
+}
+
+// After a step: the circles by number, and the highest speed, in radii a second.
+__kernel void c2d_publish(__global const float8 *body, __global const int *id, __global uint *status, int circles,
+                          __global float4 *circle, __global float2 *velocities, __global float2 *kick,
+                          __local uint *fastest) {
+    const int i = (int)get_global_id(0);
+    if (get_local_id(0) == 0) {
+        *fastest = 0u;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (i < circles && status[C2D_STALLED] == 0u) {
+        const float8 b = body[i];
+        const int to = id[i];
+        circle[to].xy = b.s01;
+        velocities[to] = b.s23;
+        kick[to] = b.s45;
+        // positive floats compare as their bits do
+        atomic_max(fastest, as_uint(c2d_positive(sqrt(b.s2 * b.s2 + b.s3 * b.s3) / b.s6)));
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) == 0) {
+        atomic_max(&status[C2D_FASTEST], *fastest);
+    }
+}

@@ -1,0 +1,98 @@
+package io.github.circles2d.host;
+
+import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.SmallStages;
+import io.github.circles2d.pipeline.Status;
+import io.github.circles2d.pipeline.Substeps;
+import io.github.circles2d.pipeline.WorldConfig;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+
+/** The stages of one world of small steps in plain Java. Nothing queues up: every call is done when it returns. */
+public final class HostSmallStages implements SmallStages {
+    private final SmallState state = new SmallState();
+    private final Workers workers = new Workers();
+    private final SmallContacts contacts = new SmallContacts(workers.most());
+    private final Grid grid;
+    private final Find find;
+    private final Match match;
+    private final Integrate integrate;
+    private final Solve solve;
+    private int detections;
+
+    public HostSmallStages(WorldConfig config) {
+        grid = new Grid(config, state);
+        find = new Find(config, state, contacts, workers);
+        match = new Match(state, contacts, workers);
+        integrate = new Integrate(state, workers);
+        solve = new Solve(state, contacts, workers);
+    }
+
+    @Override
+    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels levels) {
+        state.upload(circle, velocities, levels);
+    }
+
+    @Override
+    public void download(FloatBuffer circle, FloatBuffer velocities) {
+        state.download(circle, velocities);
+    }
+
+    @Override
+    public void begin(Substeps substeps) {
+        state.substeps = substeps;
+        if (substeps.rescales()) {
+            solve.rescale();
+        }
+    }
+
+    @Override
+    public void detect(float horizon, float fall) {
+        grid.run();
+        find.run(horizon, fall);
+        match.run();
+        detections++;
+    }
+
+    @Override
+    public void integrate(boolean move, boolean kick) {
+        integrate.run(move, kick);
+    }
+
+    @Override
+    public void solve() {
+        solve.run();
+    }
+
+    @Override
+    public void publish() {
+        state.publish();
+    }
+
+    @Override
+    public float fastest() {
+        return state.fastest;
+    }
+
+    @Override
+    public Status await() {
+        int done = detections;
+        detections = 0;
+        return new Status(contacts.count, false, done);
+    }
+
+    @Override
+    public void makeRoom(long needed) {
+        throw new IllegalStateException("plain Java makes room at once");
+    }
+
+    @Override
+    public void contacts(int from, int count, IntBuffer to) {
+        for (int k = 0; k < count; k++) {
+            to.put(4 * k, contacts.ids[2 * (from + k)]).put(4 * k + 1, contacts.ids[2 * (from + k) + 1]);
+        }
+    }
+
+    @Override
+    public void close() {}
+}

@@ -1,0 +1,129 @@
+package io.github.circles2d.host;
+
+import io.github.circles2d.pipeline.Substeps;
+
+/** Twin of {@code kernels/integrate.cl}: a substep's share of each circle alone. */
+final class Integrate {
+    private final SmallState state;
+    private final Workers workers;
+    private final Workers.Work work = this::part;
+    private boolean moves;
+    private boolean kicks;
+    private float[] n;
+
+    Integrate(SmallState state, Workers workers) {
+        this.state = state;
+        this.workers = workers;
+    }
+
+    void run(boolean move, boolean kick) {
+        n = state.substeps.numbers();
+        moves = move;
+        kicks = kick;
+        workers.run(state.circles, work);
+    }
+
+    private void part(int part, int from, int end) {
+        for (int i = from; i < end; i++) {
+            if (moves) {
+                walls(i);
+                move(i);
+            }
+            if (kicks) {
+                kick(i);
+            }
+        }
+    }
+
+    /** The walls, last of the contacts of a pass; gaps are those before any of them moves the circle. */
+    private void walls(int i) {
+        float[] body = state.body;
+        int b = SmallState.BODY * i;
+        float x = body[b];
+        float y = body[b + 1];
+        float radius = body[b + SmallState.RADIUS];
+        wall(i, 0, 0, 1, x - n[Substeps.MIN_X] - radius);
+        wall(i, 1, 0, -1, n[Substeps.MAX_X] - x - radius);
+        wall(i, 2, 1, 1, y - n[Substeps.MIN_Y] - radius);
+        wall(i, 3, 1, -1, n[Substeps.MAX_Y] - y - radius);
+    }
+
+    /** As {@link Solve#visit}, against something that does not move. */
+    private void wall(int i, int which, int axis, float sign, float gap) {
+        float[] body = state.body;
+        int b = SmallState.BODY * i + axis;
+        float radius = body[SmallState.BODY * i + SmallState.RADIUS];
+        float w = body[SmallState.BODY * i + SmallState.INVERSE_MASS];
+        float speed = sign * body[b + SmallState.VX];
+        if (!(gap < 2 * radius || gap + speed * n[Substeps.TIME] < 0)) {
+            return;
+        }
+        int memory = 8 * state.id[i] + which;
+        float come = state.wall[memory];
+        float last = state.wall[memory + 4];
+        float impulse = come - (speed + (gap > 0 ? gap : 0) * n[Substeps.PER_TIME]) / w;
+        boolean bounced = false;
+        if (!(impulse > 0)) {
+            impulse = 0;
+        } else if (come == 0) {
+            float ux = state.kicked[2 * i];
+            float uy = state.kicked[2 * i + 1];
+            float before = speed - sign * (state.kicked[2 * i + axis] + n[Substeps.GAIN_X + axis]);
+            if (before < -n[Substeps.BOUNCE_FROM] && !(last < 0 && (ux != 0 || uy != 0))) {
+                bounced = true;
+                float bounce = -(speed + n[Substeps.RESTITUTION] * before) / w;
+                impulse = bounce > 0 ? bounce : 0;
+            }
+        }
+        float over = -gap - n[Substeps.SLOP] * radius;
+        float push = n[Substeps.PUSH] * (over > 0 ? over : 0);
+        float most = n[Substeps.PUSH_MOST] * radius;
+        body[b] += sign * (push < most ? push : most);
+        body[b + SmallState.VX] += sign * (w * (impulse - come));
+        float next = 0;
+        if (!bounced && impulse > 0) {
+            next = Solve.extrapolated(impulse, last, n[Substeps.EXTRAPOLATE], n[Substeps.IMPULSE_MOST]);
+            body[b + SmallState.KICK_X] += sign * (w * next);
+        }
+        state.wall[memory] = next;
+        state.wall[memory + 4] = bounced ? -1 : impulse;
+    }
+
+    private void move(int i) {
+        float half = 0.5f * state.body[SmallState.BODY * i + SmallState.RADIUS];
+        for (int axis = 0; axis < 2; axis++) {
+            float[] body = state.body;
+            int b = SmallState.BODY * i + axis;
+            float min = n[Substeps.MIN_X + axis];
+            float max = n[Substeps.MAX_X + axis];
+            float position = body[b] + n[Substeps.TIME] * body[b + SmallState.VX];
+            float velocity = body[b + SmallState.VX];
+            if (!(position >= min + half)) {
+                position = min + half;
+                velocity = velocity < 0 ? -n[Substeps.RESTITUTION] * velocity : velocity;
+            } else if (position > max - half) {
+                position = max - half;
+                velocity = velocity > 0 ? -n[Substeps.RESTITUTION] * velocity : velocity;
+            }
+            body[b] = position;
+            body[b + SmallState.VX] = velocity;
+        }
+    }
+
+    private void kick(int i) {
+        float[] body = state.body;
+        int b = SmallState.BODY * i;
+        float kickX = body[b + SmallState.KICK_X];
+        float kickY = body[b + SmallState.KICK_Y];
+        float slowed = kickX != 0 || kickY != 0 ? n[Substeps.SLOWED] : 1;
+        for (int axis = 0; axis < 2; axis++) {
+            float kick = body[b + SmallState.KICK_X + axis];
+            float velocity = body[b + SmallState.VX + axis] * slowed + (n[Substeps.GAIN_X + axis] + kick);
+            float most = n[Substeps.SPEED_X + axis];
+            velocity = velocity < most ? velocity : most;
+            body[b + SmallState.VX + axis] = velocity > -most ? velocity : -most;
+            body[b + SmallState.KICK_X + axis] = 0;
+            state.kicked[2 * i + axis] = kick;
+        }
+    }
+}

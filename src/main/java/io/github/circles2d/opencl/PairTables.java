@@ -1,0 +1,60 @@
+package io.github.circles2d.opencl;
+
+import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.pipeline.Slices;
+import io.github.circles2d.pipeline.Tuning;
+import io.github.circles2d.pipeline.WorldConfig;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The index strategy's look-up tables for the circles of a world, in slices. */
+final class PairTables {
+    /** A part of the pairs. */
+    record Slice(long first, long pairs, DeviceBuffer table) {}
+
+    private final Session session;
+    private final WorldConfig config;
+    private final List<Slice> slices = new ArrayList<>();
+    private int circles = -1;
+
+    PairTables(Session session, WorldConfig config) {
+        this.session = session;
+        this.config = config;
+    }
+
+    /** The slices for so many circles. */
+    List<Slice> slices(int count) {
+        if (circles != count) {
+            circles = -1;
+            slices.forEach(slice -> slice.table.close());
+            slices.clear();
+            IndexStrategy strategy = config.strategy();
+            boolean grows = strategy.tableBytes(count, 2) > strategy.tableBytes(count, 1);
+            long most =
+                    grows ? Math.max(1, Math.min(Tuning.SLICE_BYTES, session.device.maxBuffer) / 8) : Long.MAX_VALUE;
+            Slices cut = Slices.of(count, config.pairsPerSlice() > 0 ? config.pairsPerSlice() : most);
+            for (int s = 0; s < cut.count(); s++) {
+                slices.add(slice(count, cut.first(s), cut.pairs(s)));
+            }
+            circles = count;
+        }
+        return slices;
+    }
+
+    private Slice slice(int count, long first, long pairs) {
+        DeviceBuffer table =
+                new DeviceBuffer(session, "table of " + config.strategy().name());
+        long bytes = config.strategy().tableBytes(count, pairs);
+        try {
+            table.ensure(bytes);
+            if (bytes > 0) {
+                table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
+            }
+        } catch (RuntimeException e) {
+            // the caller may try again with fewer circles, and needs the room
+            table.close();
+            throw e;
+        }
+        return new Slice(first, pairs, table);
+    }
+}

@@ -1,0 +1,64 @@
+package io.github.circles2d.opencl;
+
+import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Tuning;
+import io.github.circles2d.pipeline.WorldConfig;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** The stages of small steps for one of the two turns, bound to its buffers. */
+final class SmallKernels {
+    final Grid grid;
+    final Find find;
+    final Match match;
+    final Integrate integrate;
+    final Solve solve;
+
+    /** Whether the arguments are those of the buffers as they are now. */
+    boolean bound;
+
+    SmallKernels(Session session, Program program, PairTables tables) {
+        grid = new Grid(session, program);
+        find = new Find(session, program, tables);
+        match = new Match(session, program);
+        integrate = new Integrate(session, program);
+        solve = new Solve(session, program);
+    }
+
+    /** Compiles the kernels for pair indices of 32 or 64 bits. */
+    static Program program(Session session, WorldConfig config, boolean wide) {
+        boolean pairwise = config.strategy().pairwise();
+        List<Map.Entry<String, String>> sources = new ArrayList<>();
+        sources.add(Program.file("common.cl"));
+        if (pairwise) {
+            sources.add(Map.entry(
+                    "index_" + config.strategy().name() + ".cl",
+                    config.strategy().kernelSource()));
+        }
+        for (String file : List.of("detect", "small", "scan", "grid", "find", "match", "integrate", "solve")) {
+            sources.add(Program.file(file + ".cl"));
+        }
+        return Program.build(
+                session,
+                Map.of("C2D_WIDE", wide ? 1 : 0, "C2D_PAIRWISE", pairwise ? 1 : 0, "C2D_SCAN", Tuning.SCAN),
+                sources);
+    }
+
+    void bind(
+            WorldConfig config,
+            State state,
+            SmallBuffers buffers,
+            Turn now,
+            Turn before,
+            Levels levels,
+            int group,
+            int oneGroup) {
+        grid.bind(config, state, buffers, now, before, levels, group, oneGroup);
+        find.bind(state, buffers, now, levels, group);
+        match.bind(state, buffers, now, before, levels, group, oneGroup);
+        integrate.bind(state, buffers, now, group);
+        solve.bind(config, state, buffers, now, levels, group, oneGroup);
+        bound = true;
+    }
+}

@@ -1,0 +1,59 @@
+package io.github.circles2d.pipeline;
+
+import java.nio.FloatBuffer;
+
+/**
+ * The circles of a world as far as the host knows them.
+ *
+ * @param circle (x, y, radius, mass) a circle, world units
+ * @param circles number of circles
+ * @param minRadius smallest radius, world units; 1 without circles
+ * @param maxRadius largest radius, world units; 1 without circles
+ * @param meanRadius mean radius, world units; 1 without circles
+ * @param area sum of their areas, world units squared
+ */
+public record Population(
+        FloatBuffer circle, int circles, float minRadius, float maxRadius, double meanRadius, double area) {
+
+    /** Something done with a radius. */
+    interface RadiusAction {
+        void accept(float radius);
+    }
+
+    /** The circles of a buffer. */
+    public static Population of(FloatBuffer circle, int circles) {
+        if (circles == 0) {
+            return new Population(circle, 0, 1, 1, 1, 0);
+        }
+        float min = Float.MAX_VALUE;
+        float max = 0;
+        double sum = 0;
+        double squares = 0;
+        for (int i = 0; i < circles; i++) {
+            float radius = circle.get(4 * i + 2);
+            min = Math.min(min, radius);
+            max = Math.max(max, radius);
+            sum += radius;
+            squares += (double) radius * radius;
+        }
+        return new Population(circle, circles, min, max, sum / circles, Math.PI * squares);
+    }
+
+    void radii(RadiusAction action) {
+        for (int i = 0; i < circles; i++) {
+            action.accept(circle.get(4 * i + 2));
+        }
+    }
+
+    /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_publish}. */
+    public float fastest(FloatBuffer velocities) {
+        float fastest = 0;
+        for (int i = 0; i < circles; i++) {
+            float vx = velocities.get(2 * i);
+            float vy = velocities.get(2 * i + 1);
+            float speed = (float) Math.sqrt(vx * vx + vy * vy) / circle.get(4 * i + 2);
+            fastest = speed > fastest ? speed : fastest;
+        }
+        return fastest;
+    }
+}

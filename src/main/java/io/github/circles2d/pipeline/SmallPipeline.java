@@ -1,0 +1,91 @@
+package io.github.circles2d.pipeline;
+
+import java.nio.FloatBuffer;
+
+/**
+ * Calls the stages of a step of {@link io.github.circles2d.Solver#SMALL_STEPS} in order; the same for every device.
+ *
+ * <p>A detection that finds more contacts than there is room for stalls the step, which is taken up again from there once
+ * there is room: no contact is ever dropped. How a step is cut depends on the speeds after the last, so a step waits for
+ * the one before.
+ */
+public final class SmallPipeline implements Stepper {
+    private final WorldConfig config;
+    private final SmallStages stages;
+    private final float gravity;
+    private Population population;
+    private float fastest;
+    private float before;
+    private Substeps substeps;
+    private int perDetection;
+    private boolean inFlight;
+    private long contacts;
+
+    public SmallPipeline(WorldConfig config, SmallStages stages) {
+        this.config = config;
+        this.stages = stages;
+        gravity = Substeps.gravity(config);
+    }
+
+    @Override
+    public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
+        population = Population.of(circle, circles);
+        fastest = population.fastest(velocities);
+        stages.upload(circle, velocities, Levels.of(config, population));
+    }
+
+    @Override
+    public void step() {
+        await();
+        int count = config.substeps() > 0 ? config.substeps() : Substeps.choose(config, population, fastest);
+        if (substeps == null || substeps.count() != count || substeps.rescales()) {
+            substeps = Substeps.of(config, count, before);
+        }
+        before = substeps.seconds();
+        perDetection = substeps.perDetection(config, population, fastest);
+        stages.begin(substeps);
+        run(0);
+        inFlight = true;
+    }
+
+    /** The substeps from {@code first} on, which begins with a detection. */
+    private void run(int first) {
+        for (int s = first; s < substeps.count(); s++) {
+            boolean detects = s % perDetection == 0;
+            if (s > first) {
+                stages.integrate(true, !detects);
+            }
+            if (detects) {
+                float horizon = Math.min(perDetection, substeps.count() - s) * substeps.seconds();
+                stages.detect(horizon, 2 * gravity * horizon * horizon);
+                stages.integrate(false, true);
+            }
+            stages.solve();
+        }
+        stages.integrate(true, false);
+        stages.publish();
+    }
+
+    @Override
+    public void await() {
+        if (!inFlight) {
+            return;
+        }
+        Status status = stages.await();
+        int detections = status.updates();
+        while (status.stalled()) {
+            stages.makeRoom(status.contacts());
+            run(detections * perDetection);
+            status = stages.await();
+            detections += status.updates();
+        }
+        contacts = status.contacts();
+        fastest = stages.fastest();
+        inFlight = false;
+    }
+
+    @Override
+    public long contacts() {
+        return contacts;
+    }
+}

@@ -1,0 +1,45 @@
+package io.github.circles2d.pipeline;
+
+import java.nio.FloatBuffer;
+
+/**
+ * The stages of {@link io.github.circles2d.Solver#SMALL_STEPS} on one device, and the state they work on. {@link
+ * SmallPipeline} calls them in order; calls may return before the device is done, save those that say they wait.
+ */
+public interface SmallStages extends DeviceState {
+    /**
+     * Replaces the circles; what is remembered of those that were there stays. Waits.
+     *
+     * @param circle (x, y, radius, mass) a circle, world units; direct, native order, read from 0
+     * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
+     */
+    void upload(FloatBuffer circle, FloatBuffer velocities, Levels levels);
+
+    /** The numbers of the substeps that follow; where their time is new, scales what is kept from one to the next. */
+    void begin(Substeps substeps);
+
+    /**
+     * Sorts the circles by cell and lists the contacts within reach, with what is remembered of each. Between the moves
+     * of one substep and the kicks of the next.
+     *
+     * @param horizon time for which the list must hold, seconds
+     * @param fall how far gravity can part two circles in it, world units
+     */
+    void detect(float horizon, float fall);
+
+    /** One substep's share of every circle: at the end of one walls and motion, at the start of one gravity and kicks. */
+    void integrate(boolean move, boolean kick);
+
+    /** One pass over the contacts. */
+    void solve();
+
+    /** Ends a step: makes its circles known to {@link #download}, its highest speed to {@link #fastest}. */
+    void publish();
+
+    /** Highest speed after the last step, radii a second; after {@link #await()}. */
+    float fastest();
+
+    /** The status; its updates are the detections done. */
+    @Override
+    Status await();
+}

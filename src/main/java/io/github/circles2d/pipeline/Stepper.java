@@ -1,0 +1,24 @@
+package io.github.circles2d.pipeline;
+
+import java.nio.FloatBuffer;
+
+/** Makes the steps of one world: calls the stages of a solver in order, the same for every device. Not thread-safe. */
+public interface Stepper {
+    /**
+     * Replaces the circles. Those that were there keep their numbers and what the solver remembers of them. Waits.
+     *
+     * @param circle (x, y, radius, mass) a circle, world units; direct, native order, read from 0
+     * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
+     * @param maxRadius largest radius among them, world units
+     */
+    void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius);
+
+    /** Queues one step. */
+    void step();
+
+    /** Waits until every queued step is done, growing the room for contacts where one needs it. */
+    void await();
+
+    /** Contacts of the last step that {@link #await()} saw. */
+    long contacts();
+}

@@ -1,0 +1,128 @@
+package io.github.circles2d.pipeline;
+
+/**
+ * How a step of {@link io.github.circles2d.Solver#SMALL_STEPS} is cut, and every number that its kernels need. Computed
+ * once, here, so that each device starts from the same bits; {@link #numbers} is the buffer {@code rule} of the kernels.
+ *
+ * @param count substeps of a step
+ * @param seconds time of a substep
+ * @param numbers what the kernels read, by the names in {@code kernels/small.cl}
+ */
+public record Substeps(int count, float seconds, float[] numbers) {
+    public static final int TIME = 0;
+    public static final int PER_TIME = 1;
+    public static final int BOUNCE_FROM = 2;
+    public static final int PUSH_MOST = 3;
+    public static final int SLOWED = 4;
+    public static final int GAIN_X = 5;
+    public static final int GAIN_Y = 6;
+    public static final int RESCALE = 7;
+    public static final int SPEED_X = 8;
+    public static final int SPEED_Y = 9;
+    public static final int MIN_X = 10;
+    public static final int MIN_Y = 11;
+    public static final int MAX_X = 12;
+    public static final int MAX_Y = 13;
+    public static final int RESTITUTION = 14;
+    public static final int PUSH = 15;
+    public static final int SLOP = 16;
+    public static final int DEEP = 17;
+    public static final int EXTRAPOLATE = 18;
+    public static final int EXTRAPOLATE_UNEVEN = 19;
+    public static final int UNEVEN = 20;
+    public static final int IMPULSE_MOST = 21;
+    public static final int ALWAYS_NEAR = 22;
+
+    /** How many numbers there are. */
+    public static final int NUMBERS = 23;
+
+    /**
+     * A step of {@code count} substeps.
+     *
+     * @param before time of a substep of the last step, seconds; 0 before the first
+     */
+    public static Substeps of(WorldConfig config, int count, float before) {
+        float[] n = new float[NUMBERS];
+        float time = config.timeStep() / count;
+        n[TIME] = time;
+        n[PER_TIME] = 1 / time;
+        n[BOUNCE_FROM] = Tuning.BOUNCE_FROM * gravity(config) * time;
+        n[PUSH_MOST] = Tuning.PUSH_MOST / count;
+        n[SLOWED] = Math.max(0, 1 - Tuning.DRAG * time);
+        n[GAIN_X] = config.gravityX() * time;
+        n[GAIN_Y] = config.gravityY() * time;
+        n[RESCALE] = before > 0 ? time / before : 1;
+        n[SPEED_X] = (config.maxX() - config.minX()) / config.timeStep();
+        n[SPEED_Y] = (config.maxY() - config.minY()) / config.timeStep();
+        n[MIN_X] = config.minX();
+        n[MIN_Y] = config.minY();
+        n[MAX_X] = config.maxX();
+        n[MAX_Y] = config.maxY();
+        n[RESTITUTION] = config.restitution();
+        n[PUSH] = Tuning.PUSH;
+        n[SLOP] = Tuning.SLOP;
+        n[DEEP] = Tuning.DEEP;
+        n[EXTRAPOLATE] = Tuning.EXTRAPOLATE;
+        n[EXTRAPOLATE_UNEVEN] = Tuning.EXTRAPOLATE_UNEVEN;
+        n[UNEVEN] = Tuning.UNEVEN;
+        n[IMPULSE_MOST] = Tuning.IMPULSE_MOST;
+        n[ALWAYS_NEAR] = Tuning.ALWAYS_NEAR;
+        return new Substeps(count, time, n);
+    }
+
+    /** Whether the substeps before had another time. */
+    public boolean rescales() {
+        return numbers[RESCALE] != 1;
+    }
+
+    /** Gravity's size, world units / s^2. */
+    public static float gravity(WorldConfig config) {
+        return (float) Math.sqrt(config.gravityX() * config.gravityX() + config.gravityY() * config.gravityY());
+    }
+
+    /**
+     * How many substeps suit a world. A pile sinks by what its depth says: frictionless circles level out, so the depth
+     * follows from the area of the circles alone. Fast circles must not jump over others.
+     *
+     * @param fastest highest speed, radii a second
+     */
+    public static int choose(WorldConfig config, Population population, float fastest) {
+        double gx = Math.abs((double) config.gravityX());
+        double gy = Math.abs((double) config.gravityY());
+        double g = Math.sqrt(gx * gx + gy * gy);
+        double deep = 0;
+        if (g > 0) {
+            double width =
+                    ((config.maxX() - (double) config.minX()) * gy + (config.maxY() - (double) config.minY()) * gx) / g;
+            double height = population.area() / (Tuning.PILE_DENSITY * width);
+            double r = population.meanRadius();
+            deep = config.timeStep() * Math.sqrt(height * g / (1.8 * r * r * Tuning.AUTO_DEPTH));
+        }
+        double time = config.timeStep();
+        double travel = (fastest + g * time / population.minRadius()) * time;
+        double fast = Math.min(Tuning.AUTO_MOST_FOR_SPEED, travel / Tuning.AUTO_TRAVEL);
+        int fewest = population.circles() <= Tuning.AUTO_SMALL ? Tuning.AUTO_FEWEST_SMALL : Tuning.AUTO_FEWEST;
+        double most = Math.min(Tuning.AUTO_MOST, Math.max(fewest, Math.max(deep, fast)));
+        return (int) Math.ceil(most / Tuning.AUTO_UNIT) * Tuning.AUTO_UNIT;
+    }
+
+    /**
+     * Substeps from one detection to the next: as many as the fastest circle needs to use up the reach of a circle,
+     * {@link Tuning#REACH}, gravity included.
+     *
+     * @param fastest highest speed, radii a second
+     */
+    public int perDetection(WorldConfig config, Population population, float fastest) {
+        float gravity = gravity(config);
+        float min = population.minRadius();
+        int substeps = count;
+        while (substeps > 1) {
+            float time = substeps * seconds;
+            if ((fastest + gravity * config.timeStep() / min) * time + gravity * time * time / min <= Tuning.REACH) {
+                break;
+            }
+            substeps = (substeps + 1) / 2;
+        }
+        return substeps;
+    }
+}
