@@ -60,7 +60,10 @@ __kernel void c2d_match(__global const int4 *byOwner, __global const int *ownerO
         const int end = ownerStart[ownerOf[k] + 1];
         int place = start;
         for (int other = start; other < end; other++) {
-            place += c2d_before(byOwner[other].zw, own.zw) ? 1 : 0;
+            // word by word: Oclgrind goes wrong where this loop is vectorised over shuffled int4s
+            const int a = ((__global const int *)byOwner)[4 * other + 2];
+            const int b = ((__global const int *)byOwner)[4 * other + 3];
+            place += a < own.z || (a == own.z && b < own.w) ? 1 : 0;
         }
         const int old = c2d_remembered(own.zw, cellBefore, levelsBefore, ownerStartBefore, idsBefore);
         pair[place] = own.xy;

@@ -5,6 +5,7 @@ import io.github.circles2d.CollisionStore;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Internals;
+import io.github.circles2d.Solver;
 import io.github.circles2d.demo.Scene;
 import io.github.circles2d.pipeline.KernelSources;
 import java.io.IOException;
@@ -73,6 +74,14 @@ public final class OclgrindGate {
             agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 0, 4096);
             agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 1000, 0);
         }
+        for (Scene scene : List.of(Scene.MIXED, pile())) {
+            for (IndexStrategy strategy : List.of(IndexStrategy.grid(), IndexStrategy.folded())) {
+                agreeInSmallSteps(scene, 48, strategy, 2);
+            }
+        }
+        // by its speeds this one takes more substeps in its second step, which rescales what it remembers
+        agreeInSmallSteps(Scene.GAS, 9, IndexStrategy.grid(), 0);
+        agree(Scene.THESIS, 65, 2, IndexStrategy.grid(), CollisionStore.COMPACT, 0, 0);
         require(device.deterministic(), "the arithmetic of plain Java");
         require(books.misuses().isEmpty() && books.live().isEmpty(), "nothing left: " + books.live() + books.misuses());
         Set<String> missing = kernels();
@@ -89,6 +98,26 @@ public final class OclgrindGate {
                 world.addCircle(0.5f + 0.0001f * i, 0.5f, 0.04f, 1 + i % 3);
             }
         });
+    }
+
+    private void agreeInSmallSteps(Scene scene, int circles, IndexStrategy strategy, int substeps) {
+        long[] hashes = new long[2];
+        for (int side = 0; side < 2; side++) {
+            Circles2D.Builder builder = Internals.builder(32, 0, 0)
+                    .device(side == 0 ? ComputeDevice.host() : Internals.computeDevice(device))
+                    .indexStrategy(strategy)
+                    .solver(Solver.SMALL_STEPS)
+                    .substeps(substeps);
+            try (Circles2D world = scene.build(builder, circles)) {
+                world.step();
+                world.setVelocity(0, 17, 3);
+                world.step();
+                hashes[side] = world.stateHash();
+                require(world.stats().steps() == 2, "all steps");
+            }
+        }
+        worlds++;
+        require(hashes[0] == hashes[1], "the hash of the host for small steps, " + scene.name() + " " + strategy);
     }
 
     private void agree(
