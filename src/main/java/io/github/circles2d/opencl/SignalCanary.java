@@ -16,7 +16,7 @@ final class SignalCanary {
         if (!TOLD.get() && !throwsOnZero(0) && TOLD.compareAndSet(false, true)) {
             LOG.log(
                     System.Logger.Level.WARNING,
-                    "an OpenCL driver (PoCL before 4.0 does it) has taken over the JVM''s signal handlers: an integer"
+                    "an OpenCL driver (PoCL before 4.0 does it) has taken over the JVM's signal handlers: an integer"
                             + " division by zero in Java no longer throws. Start Java with"
                             + " LD_PRELOAD=$JAVA_HOME/lib/libjsig.so to keep both working.");
         }

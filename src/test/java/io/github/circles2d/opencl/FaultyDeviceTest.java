@@ -62,13 +62,13 @@ class FaultyDeviceTest {
     @Test
     void aBufferLargerThanTheDeviceAllowsIsRefusedWithNumbers() {
         faulty.limit(CL.CL_DEVICE_MAX_MEM_ALLOC_SIZE, 1_000_000);
-        tooMuch(100_000, "circle takes \\d+ bytes; .* allows 1000000 in one buffer and \\d+ in all.*");
+        tooMuch(100_000, "state takes \\d+ bytes; .* allows 1000000 in one buffer and \\d+ in all.*");
     }
 
     @Test
     void moreInAllThanTheDeviceHasIsRefusedWithNumbers() {
         faulty.limit(CL.CL_DEVICE_GLOBAL_MEM_SIZE, 2_000_000);
-        tooMuch(100_000, "velocities takes \\d+ bytes; .* and 2000000 in all, \\d+ of which.*");
+        tooMuch(100_000, "state takes \\d+ bytes; .* and 2000000 in all, \\d+ of which.*");
     }
 
     private void tooMuch(int circles, String message) {
