@@ -54,18 +54,17 @@ final class DeviceBuffer implements AutoCloseable {
         bytes = 0;
         try {
             ensure(needed);
+            copy(old, kept, value);
         } catch (RuntimeException e) {
+            // the caller may try again: what was there is still there
+            release();
             memory = old;
             bytes = kept;
             throw e;
         }
-        try {
-            copy(old, kept, value);
-        } finally {
-            if (old != null) {
-                Cl.checkRelease("clReleaseMemObject(" + name + ")", session.api.releaseMemObject(old));
-                session.unbook(kept);
-            }
+        if (old != null) {
+            Cl.checkRelease("clReleaseMemObject(" + name + ")", session.api.releaseMemObject(old));
+            session.unbook(kept);
         }
     }
 
