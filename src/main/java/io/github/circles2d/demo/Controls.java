@@ -2,6 +2,7 @@ package io.github.circles2d.demo;
 
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.Solver;
 import java.awt.FlowLayout;
 import java.util.List;
 import java.util.Locale;
@@ -30,6 +31,7 @@ final class Controls extends JPanel {
     private final JButton restart = new JButton("Restart");
     private final JComboBox<Scene> scenes;
     private final JComboBox<Integer> sizes;
+    private final JComboBox<Solver> solvers;
     private final JComboBox<IndexStrategy> strategies;
     private final JComboBox<ComputeDevice> devices;
 
@@ -45,6 +47,11 @@ final class Controls extends JPanel {
         add(restart);
         scenes = choice("scene", Scene.ALL, first.scene(), Scene::name);
         sizes = choice("circles", List.copyOf(offered), first.circles(), n -> String.format(Locale.ROOT, "%,d", n));
+        solvers = choice(
+                "solver",
+                List.of(Solver.values()),
+                first.solver(),
+                solver -> solver.name().toLowerCase(Locale.ROOT));
         strategies = choice("strategy", IndexStrategy.builtIn(), first.strategy(), IndexStrategy::name);
         devices = choice("device", ComputeDevice.list(), first.device(), Controls::shortName);
         step.setEnabled(false);
@@ -63,6 +70,8 @@ final class Controls extends JPanel {
         simulation.restart(new Setup(
                 (Scene) scenes.getSelectedItem(),
                 (Integer) sizes.getSelectedItem(),
+                (Solver) solvers.getSelectedItem(),
+                first.substeps(),
                 (IndexStrategy) strategies.getSelectedItem(),
                 first.store(),
                 (ComputeDevice) devices.getSelectedItem()));

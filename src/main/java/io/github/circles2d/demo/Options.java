@@ -3,6 +3,7 @@ package io.github.circles2d.demo;
 import io.github.circles2d.CollisionStore;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.Solver;
 import io.github.circles2d.pipeline.Tuning;
 import java.nio.file.Path;
 import java.util.Iterator;
@@ -17,7 +18,9 @@ final class Options {
               --scene NAME         thesis (default), gas, pile, mixed or column
               --circles N          number of circles, default 1250
               --device NAME|INDEX  where it runs: gpu, cpu, host, a part of a name, or an index of --list
-              --strategy NAME      formula, pair_table, row_search, grid or folded (default)
+              --solver NAME        impulse (default, the thesis' rule) or small_steps (piles that stand)
+              --substeps N         substeps of a step of small_steps; without it they are chosen before each step
+              --strategy NAME      formula, pair_table, row_search, folded or grid; default folded with impulse, else grid
               --store NAME         compact (default) or triangle
               --steps N            end after N steps; headless or with --screenshot the default is 1200
               --screenshot FILE    save a picture at the end, FILE.png
@@ -31,12 +34,14 @@ final class Options {
 
     Scene scene = Scene.THESIS;
     int circles = Scene.THESIS_CIRCLES;
-    IndexStrategy strategy = IndexStrategy.folded();
+    Solver solver = Solver.IMPULSE;
+    int substeps;
     CollisionStore store = CollisionStore.COMPACT;
     boolean headless;
     boolean list;
     boolean help;
 
+    private IndexStrategy strategy;
     private String device;
     private int steps;
     private Path screenshot;
@@ -58,6 +63,8 @@ final class Options {
                 case "--circles" -> options.circles = number(option, rest, Tuning.MAX_CIRCLES);
                 case "--device" -> options.device = value(option, rest);
                 case "--strategy" -> options.strategy = IndexStrategy.named(value(option, rest));
+                case "--solver" -> options.solver = solver(value(option, rest));
+                case "--substeps" -> options.substeps = number(option, rest, Tuning.MAX_SUBSTEPS);
                 case "--store" -> options.store = store(value(option, rest));
                 case "--steps" -> options.steps = number(option, rest, MAX_STEPS);
                 case "--screenshot" -> options.screenshot = picture(value(option, rest));
@@ -87,6 +94,15 @@ final class Options {
         return number;
     }
 
+    private static Solver solver(String name) {
+        return switch (name) {
+            case "impulse" -> Solver.IMPULSE;
+            case "small_steps" -> Solver.SMALL_STEPS;
+            default ->
+                throw new IllegalArgumentException("solver = " + name + ": must be one of [impulse, small_steps]");
+        };
+    }
+
     private static CollisionStore store(String name) {
         return switch (name) {
             case "compact" -> CollisionStore.COMPACT;
@@ -102,6 +118,14 @@ final class Options {
         return Path.of(file);
     }
 
+    /** The strategy that is asked for, or the one that suits the solver. */
+    IndexStrategy strategy() {
+        if (strategy != null) {
+            return strategy;
+        }
+        return solver == Solver.SMALL_STEPS ? IndexStrategy.grid() : IndexStrategy.folded();
+    }
+
     /** The device that is asked for, or the preferred one. */
     ComputeDevice device() {
         return device == null
@@ -113,7 +137,7 @@ final class Options {
 
     /** The world that is asked for, on a device. */
     Setup setup(ComputeDevice on) {
-        return new Setup(scene, circles, strategy, store, on);
+        return new Setup(scene, circles, solver, substeps, strategy(), store, on);
     }
 
     /** Steps of a headless run. */

@@ -18,6 +18,7 @@ final class SimulationRun {
         void print(PrintStream out) {
             line(out, "device", setup.device().toString());
             line(out, "scene", setup.scene().name());
+            line(out, "solver", setup.solver().name().toLowerCase(Locale.ROOT));
             line(out, "strategy", setup.strategy().name());
             line(out, "store", setup.store().name().toLowerCase(Locale.ROOT));
             line(out, "circles", text("%,d", setup.circles()));

@@ -8,6 +8,7 @@ import io.github.circles2d.CollisionStore;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Snapshot;
+import io.github.circles2d.Solver;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -59,10 +60,22 @@ class DemoTest {
     @Test
     void strategyAndStoreDoNotChangeTheSummarysHash(@TempDir Path folder) {
         Path file = folder.resolve("a.png");
-        Setup compact =
-                new Setup(Scene.THESIS, 200, IndexStrategy.folded(), CollisionStore.COMPACT, ComputeDevice.host());
-        Setup triangle =
-                new Setup(Scene.THESIS, 200, IndexStrategy.rowSearch(), CollisionStore.TRIANGLE, ComputeDevice.host());
+        Setup compact = new Setup(
+                Scene.THESIS,
+                200,
+                Solver.IMPULSE,
+                0,
+                IndexStrategy.folded(),
+                CollisionStore.COMPACT,
+                ComputeDevice.host());
+        Setup triangle = new Setup(
+                Scene.THESIS,
+                200,
+                Solver.IMPULSE,
+                0,
+                IndexStrategy.rowSearch(),
+                CollisionStore.TRIANGLE,
+                ComputeDevice.host());
         SimulationRun.Summary a = SimulationRun.run(compact, 20, file, print(out));
         SimulationRun.Summary b = SimulationRun.run(triangle, 20, file, print(out));
         assertEquals(a.hash(), b.hash());

@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import io.github.circles2d.CollisionStore;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.Solver;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -24,7 +25,14 @@ class OptionsTest {
         Options options = Options.parse();
         Setup setup = options.setup(ComputeDevice.host());
         assertEquals(
-                new Setup(Scene.THESIS, 1250, IndexStrategy.folded(), CollisionStore.COMPACT, ComputeDevice.host()),
+                new Setup(
+                        Scene.THESIS,
+                        1250,
+                        Solver.IMPULSE,
+                        0,
+                        IndexStrategy.folded(),
+                        CollisionStore.COMPACT,
+                        ComputeDevice.host()),
                 setup);
         assertFalse(options.headless || options.list || options.help);
         assertEquals(0, options.windowSteps());
@@ -38,7 +46,14 @@ class OptionsTest {
                 "--scene gas --circles 7 --steps 9 --device host --strategy pair_table --store triangle --headless --list"
                         .split(" "));
         assertEquals(
-                new Setup(Scene.GAS, 7, IndexStrategy.pairTable(), CollisionStore.TRIANGLE, ComputeDevice.host()),
+                new Setup(
+                        Scene.GAS,
+                        7,
+                        Solver.IMPULSE,
+                        0,
+                        IndexStrategy.pairTable(),
+                        CollisionStore.TRIANGLE,
+                        ComputeDevice.host()),
                 options.setup(options.device()));
         assertTrue(options.headless && options.list);
         assertEquals(9, options.headlessSteps());

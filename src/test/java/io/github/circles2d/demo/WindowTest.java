@@ -8,6 +8,7 @@ import io.github.circles2d.Circles2DException;
 import io.github.circles2d.CollisionStore;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.Solver;
 import java.awt.EventQueue;
 import java.awt.GraphicsEnvironment;
 import java.awt.event.WindowEvent;
@@ -40,7 +41,8 @@ class WindowTest {
     });
 
     private static Setup setup(Scene scene) {
-        return new Setup(scene, 50, IndexStrategy.folded(), CollisionStore.COMPACT, ComputeDevice.host());
+        return new Setup(
+                scene, 50, Solver.IMPULSE, 0, IndexStrategy.folded(), CollisionStore.COMPACT, ComputeDevice.host());
     }
 
     private static void close(Window window) {
