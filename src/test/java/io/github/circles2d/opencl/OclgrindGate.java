@@ -74,10 +74,9 @@ public final class OclgrindGate {
             agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 0, 4096);
             agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 1000, 0);
         }
-        for (Scene scene : List.of(Scene.MIXED, pile())) {
-            for (IndexStrategy strategy : List.of(IndexStrategy.grid(), IndexStrategy.folded())) {
-                agreeInSmallSteps(scene, 48, strategy, 2);
-            }
+        for (IndexStrategy strategy : List.of(IndexStrategy.grid(), IndexStrategy.folded())) {
+            agreeInSmallSteps(Scene.MIXED, 33, strategy, 2);
+            agreeInSmallSteps(pile(), 10, strategy, 2);
         }
         // by its speeds this one takes more substeps in its second step, which rescales what it remembers
         agreeInSmallSteps(Scene.GAS, 9, IndexStrategy.grid(), 0);
@@ -110,7 +109,7 @@ public final class OclgrindGate {
                     .substeps(substeps);
             try (Circles2D world = scene.build(builder, circles)) {
                 world.step();
-                world.setVelocity(0, 17, 3);
+                world.setVelocity(0, 50, 3);
                 world.step();
                 hashes[side] = world.stateHash();
                 require(world.stats().steps() == 2, "all steps");
