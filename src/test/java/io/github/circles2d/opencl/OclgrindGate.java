@@ -75,11 +75,13 @@ public final class OclgrindGate {
             agree(pile(), 52, 2, IndexStrategy.rowSearch(), store, 1000, 0);
         }
         for (IndexStrategy strategy : List.of(IndexStrategy.grid(), IndexStrategy.folded())) {
-            agreeInSmallSteps(Scene.MIXED, 33, strategy, 2);
-            agreeInSmallSteps(pile(), 10, strategy, 2);
+            // with a launch a colour, and with one for all of them
+            agreeInSmallSteps(Scene.MIXED, 33, strategy, 2, 0);
+            agreeInSmallSteps(Scene.MIXED, 33, strategy, 2, 4096);
+            agreeInSmallSteps(pile(), 10, strategy, 2, 0);
         }
         // by its speeds this one takes more substeps in its second step, which rescales what it remembers
-        agreeInSmallSteps(Scene.GAS, 9, IndexStrategy.grid(), 0);
+        agreeInSmallSteps(Scene.GAS, 9, IndexStrategy.grid(), 0, 0);
         agree(Scene.THESIS, 65, 2, IndexStrategy.grid(), CollisionStore.COMPACT, 0, 0);
         require(device.deterministic(), "the arithmetic of plain Java");
         require(books.misuses().isEmpty() && books.live().isEmpty(), "nothing left: " + books.live() + books.misuses());
@@ -99,10 +101,10 @@ public final class OclgrindGate {
         });
     }
 
-    private void agreeInSmallSteps(Scene scene, int circles, IndexStrategy strategy, int substeps) {
+    private void agreeInSmallSteps(Scene scene, int circles, IndexStrategy strategy, int substeps, int smallWorld) {
         long[] hashes = new long[2];
         for (int side = 0; side < 2; side++) {
-            Circles2D.Builder builder = Internals.builder(32, 0, 0)
+            Circles2D.Builder builder = Internals.builder(32, 0, smallWorld)
                     .device(side == 0 ? ComputeDevice.host() : Internals.computeDevice(device))
                     .indexStrategy(strategy)
                     .solver(Solver.SMALL_STEPS)
