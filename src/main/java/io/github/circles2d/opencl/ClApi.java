@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import java.nio.ByteBuffer;
 import org.jocl.Pointer;
 import org.jocl.cl_command_queue;
 import org.jocl.cl_context;
@@ -52,11 +51,6 @@ public interface ClApi {
 
     /** Blocking. */
     int enqueueWriteBuffer(cl_command_queue queue, cl_mem buffer, long offset, long bytes, Pointer from);
-
-    /** Blocking, for writing. */
-    ByteBuffer enqueueMapBuffer(cl_command_queue queue, cl_mem buffer, long offset, long bytes, int[] status);
-
-    int enqueueUnmapMemObject(cl_command_queue queue, cl_mem buffer, ByteBuffer mapped);
 
     int flush(cl_command_queue queue);
 

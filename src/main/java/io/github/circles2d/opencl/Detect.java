@@ -43,11 +43,8 @@ final class Detect {
             if (triangle) {
                 collision.ensure(8 * pairs);
                 mark.ensure(4 * blocks(pairs));
-                mark.fill(4 * blocks(pairs), memory -> {
-                    while (memory.hasRemaining()) {
-                        memory.putInt(0);
-                    }
-                });
+                // zeros, as a new buffer of Java is
+                mark.fill(4 * blocks(pairs), memory -> {});
                 collect = new Kernel(session, program, "c2d_colour_collect");
             }
             detect = new Kernel(session, program, "c2d_detect");
@@ -105,8 +102,7 @@ final class Detect {
 
     private void build(int count) {
         close();
-        long most = config.pairsPerSlice() > 0 ? config.pairsPerSlice() : mostPairs(count);
-        Slices cut = Slices.of(count, most);
+        Slices cut = Slices.of(config, count, session.device.maxBuffer, triangle);
         try {
             for (int s = 0; s < cut.count(); s++) {
                 slices.add(new Slice(count, cut.first(s), cut.pairs(s)));
@@ -116,14 +112,6 @@ final class Detect {
             throw e;
         }
         circles = count;
-    }
-
-    /** As many pairs as fit one buffer of the triangle or of the table; all of them where there is neither. */
-    private long mostPairs(int count) {
-        long bytes = Math.min(Tuning.SLICE_BYTES, session.device.maxBuffer);
-        boolean tableGrows =
-                config.strategy().tableBytes(count, 2) > config.strategy().tableBytes(count, 1);
-        return triangle || tableGrows ? Math.max(1, bytes / 8) : Long.MAX_VALUE;
     }
 
     void run() {

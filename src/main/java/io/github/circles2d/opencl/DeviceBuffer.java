@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.CapacityException;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -123,16 +124,21 @@ final class DeviceBuffer implements AutoCloseable {
         Cl.check("clEnqueueReadBuffer", session.api.enqueueReadBuffer(session.queue, memory, offset, count, to));
     }
 
-    /** Lets {@code filler} write the first {@code count} bytes in place, without a copy in Java's memory. Waits. */
+    /**
+     * Writes the first {@code count} bytes, which {@code filler} puts into a buffer of native order. Waits.
+     *
+     * @throws CapacityException if Java has no room for such a buffer
+     */
     void fill(long count, Consumer<ByteBuffer> filler) {
-        int[] status = new int[1];
-        ByteBuffer mapped = session.api.enqueueMapBuffer(session.queue, memory, 0, count, status);
-        Cl.checkAllocation("clEnqueueMapBuffer", status[0], name, count);
+        ByteBuffer from;
         try {
-            filler.accept(mapped.order(ByteOrder.nativeOrder()));
-        } finally {
-            Cl.check("clEnqueueUnmapMemObject", session.api.enqueueUnmapMemObject(session.queue, memory, mapped));
+            from = ByteBuffer.allocateDirect(Math.toIntExact(count)).order(ByteOrder.nativeOrder());
+        } catch (OutOfMemoryError e) {
+            throw new CapacityException("no direct memory for " + name + ", " + count
+                    + " bytes (raise -XX:MaxDirectMemorySize): " + e.getMessage());
         }
+        filler.accept(from);
+        write(from.clear(), count);
     }
 
     private void release() {

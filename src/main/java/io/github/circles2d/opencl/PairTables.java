@@ -1,8 +1,6 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.pipeline.Slices;
-import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,11 +26,7 @@ final class PairTables {
             circles = -1;
             slices.forEach(slice -> slice.table.close());
             slices.clear();
-            IndexStrategy strategy = config.strategy();
-            boolean grows = strategy.tableBytes(count, 2) > strategy.tableBytes(count, 1);
-            long most =
-                    grows ? Math.max(1, Math.min(Tuning.SLICE_BYTES, session.device.maxBuffer) / 8) : Long.MAX_VALUE;
-            Slices cut = Slices.of(count, config.pairsPerSlice() > 0 ? config.pairsPerSlice() : most);
+            Slices cut = Slices.of(config, count, session.device.maxBuffer, false);
             for (int s = 0; s < cut.count(); s++) {
                 slices.add(slice(count, cut.first(s), cut.pairs(s)));
             }

@@ -19,6 +19,25 @@ public record Slices(int circles, long most, int count) {
         return new Slices(circles, most, Math.toIntExact(pairs / most + (pairs % most > 0 ? 1 : 0)));
     }
 
+    /**
+     * Slices that suit a device: one for all pairs, unless a look-up table or the triangle grows with them.
+     *
+     * @param maxBuffer largest buffer of the device, bytes
+     * @param triangle whether each slice also has its part of the triangle
+     */
+    public static Slices of(WorldConfig config, int circles, long maxBuffer, boolean triangle) {
+        if (config.pairsPerSlice() > 0) {
+            return of(circles, config.pairsPerSlice());
+        }
+        boolean tableGrows =
+                config.strategy().tableBytes(circles, 2) > config.strategy().tableBytes(circles, 1);
+        if (!tableGrows && !triangle) {
+            return of(circles, Long.MAX_VALUE);
+        }
+        long bytes = Math.min(tableGrows ? Tuning.TABLE_BYTES : Tuning.TRIANGLE_BYTES, maxBuffer);
+        return of(circles, Math.max(1, bytes / 8));
+    }
+
     /** First pair of a slice. */
     public long first(int slice) {
         return slice * most;

@@ -56,8 +56,11 @@ public final class Tuning {
     /** Most pairs of one launch: a driver's watchdog allows some seconds, this takes milliseconds. 2^20 to 2^30. */
     public static final long PAIRS_PER_LAUNCH = 1L << 28;
 
-    /** Largest single buffer of the triangle or of a look-up table, bytes. 2^20 to 2^30. */
-    public static final long SLICE_BYTES = 1L << 30;
+    /** Largest single buffer of the triangle, bytes. 2^20 to 2^30. */
+    public static final long TRIANGLE_BYTES = 1L << 30;
+
+    /** Largest look-up table of a slice of pairs, bytes: the host fills as large a buffer first. 2^20 to 2^30. */
+    public static final long TABLE_BYTES = 1L << 28;
 
     /** Pairs of the triangle that share a mark, {@code C2D_BLOCK}. 64 to 4,096. */
     public static final int BLOCK = 64;

@@ -201,7 +201,7 @@ class FaultyDeviceTest {
             assertEquals(CL.CL_INVALID_PROGRAM, api.releaseProgram(null));
             assertNull(api.createKernel(null, "c2d_update", status));
             assertEquals(CL.CL_INVALID_PROGRAM, status[0]);
-            assertNull(api.enqueueMapBuffer(session.queue, null, 0, 16, status));
+            assertNull(api.createSubBuffer(null, CL.CL_MEM_READ_WRITE, 0, 16, status));
             assertEquals(CL.CL_INVALID_MEM_OBJECT, status[0]);
         }
     }
