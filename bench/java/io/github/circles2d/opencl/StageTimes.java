@@ -106,7 +106,8 @@ public final class StageTimes {
                 Solver.IMPULSE,
                 0,
                 0,
-                Tuning.SMALL_WORLD);
+                Tuning.SMALL_WORLD,
+                0);
         FloatBuffer circle = direct(4 * circles);
         FloatBuffer velocities = direct(2 * circles);
         float maxRadius = 0;

@@ -30,45 +30,6 @@ public record WorldConfig(
         int smallWorld,
         int substeps) {
 
-    /** A world that chooses its substeps. */
-    public WorldConfig(
-            float timeStep,
-            float gravityX,
-            float gravityY,
-            float restitution,
-            float minX,
-            float minY,
-            float maxX,
-            float maxY,
-            IndexStrategy strategy,
-            CollisionStore store,
-            Solver solver,
-            int workGroup,
-            long pairsPerSlice,
-            int smallWorld) {
-        this(
-                timeStep,
-                gravityX,
-                gravityY,
-                restitution,
-                minX,
-                minY,
-                maxX,
-                maxY,
-                strategy,
-                store,
-                solver,
-                workGroup,
-                pairsPerSlice,
-                smallWorld,
-                0);
-    }
-
-    /** Whether translation vectors go to the triangle: only detect by pairs has one. */
-    public boolean triangle() {
-        return store == CollisionStore.TRIANGLE && strategy.pairwise() && solver == Solver.IMPULSE;
-    }
-
     /** What gravity adds to a velocity in one step, world units a second. */
     public float velocityGainX() {
         return gravityX * timeStep;

@@ -43,6 +43,7 @@ record TwinCase(
                 Solver.IMPULSE,
                 workGroup,
                 pairsPerSlice,
-                smallWorld);
+                smallWorld,
+                0);
     }
 }
