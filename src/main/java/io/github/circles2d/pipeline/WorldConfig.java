@@ -30,6 +30,11 @@ public record WorldConfig(
         int smallWorld,
         int substeps) {
 
+    /** Whether translation vectors go to the triangle: only detect by pairs has one. */
+    public boolean triangle() {
+        return store == CollisionStore.TRIANGLE && strategy.pairwise() && solver == Solver.IMPULSE;
+    }
+
     /** What gravity adds to a velocity in one step, world units a second. */
     public float velocityGainX() {
         return gravityX * timeStep;
