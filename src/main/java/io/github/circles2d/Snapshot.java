@@ -4,8 +4,9 @@ import java.nio.FloatBuffer;
 
 /**
  * The circles as they were when {@link Circles2D#snapshot()} was last called, in slots 0 to {@link #count()} - 1. One
- * object a world, refreshed by that call, and by those that add circles, set velocities or read the state back; read it in the thread that uses the world. A slot out of range throws
- * {@link IndexOutOfBoundsException}. It stays readable after the world is closed.
+ * object a world, refreshed by that call, and by those that add circles, set velocities or read the state back; read it in
+ * the thread that uses the world. A slot out of range throws {@link IndexOutOfBoundsException}. It stays readable after the
+ * world is closed.
  */
 public interface Snapshot {
     /** Number of circles. */

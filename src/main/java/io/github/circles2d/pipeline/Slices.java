@@ -26,8 +26,8 @@ public record Slices(int circles, long most, int count) {
      * @param triangle whether each slice also has its part of the triangle
      */
     public static Slices of(WorldConfig config, int circles, long maxBuffer, boolean triangle) {
-        if (config.pairsPerSlice() > 0) {
-            return of(circles, config.pairsPerSlice());
+        if (circles < 2 || config.pairsPerSlice() > 0) {
+            return of(circles, Math.max(1, config.pairsPerSlice()));
         }
         boolean tableGrows =
                 config.strategy().tableBytes(circles, 2) > config.strategy().tableBytes(circles, 1);
