@@ -100,12 +100,8 @@ final class Detect {
             nx = dx / distance;
             ny = dy / distance;
         } else {
-            int h = directionHash(i, j);
-            float hx = (h & 0xFFFF) - 32767.5f;
-            float hy = (h >>> 16) - 32767.5f;
-            float length = (float) Math.sqrt(hx * hx + hy * hy);
-            nx = hx / length;
-            ny = hy / length;
+            nx = directionX(i, j);
+            ny = directionY(i, j);
         }
         float x = depth * nx;
         float y = depth * ny;
@@ -117,12 +113,33 @@ final class Detect {
         }
     }
 
-    /** For circles with one centre: their numbers, mixed; the direction is the point (low, high half) seen from the middle. */
-    static int directionHash(int i, int j) {
+    /** {@code c2d_direction}, for circles with one centre: the point (low, high half) of their hash, seen from the middle. */
+    static float directionX(int i, int j) {
+        int h = hash(i, j);
+        return centred(h & 0xFFFF) / length(h);
+    }
+
+    /** See {@link #directionX}. */
+    static float directionY(int i, int j) {
+        int h = hash(i, j);
+        return centred(h >>> 16) / length(h);
+    }
+
+    private static int hash(int i, int j) {
         int h = i * 0x9E3779B1 ^ j * 0x85EBCA77;
         h = (h ^ h >>> 15) * 0x2C1B3C6D;
         h = (h ^ h >>> 12) * 0x297A2D39;
         return h ^ h >>> 15;
+    }
+
+    private static float centred(int half) {
+        return half - 32767.5f;
+    }
+
+    private static float length(int h) {
+        float x = centred(h & 0xFFFF);
+        float y = centred(h >>> 16);
+        return (float) Math.sqrt(x * x + y * y);
     }
 
     /** The thesis' second walk over the triangle, {@code c2d_colour_collect}. */

@@ -59,12 +59,8 @@ final class Solve {
             nx = dx / distance;
             ny = dy / distance;
         } else {
-            int h = Detect.directionHash(contacts.ids[2 * k], contacts.ids[2 * k + 1]);
-            float hx = (h & 0xFFFF) - 32767.5f;
-            float hy = (h >>> 16) - 32767.5f;
-            float length = (float) Math.sqrt(hx * hx + hy * hy);
-            nx = hx / length;
-            ny = hy / length;
+            nx = Detect.directionX(contacts.ids[2 * k], contacts.ids[2 * k + 1]);
+            ny = Detect.directionY(contacts.ids[2 * k], contacts.ids[2 * k + 1]);
         }
         float ra = body[a + SmallState.RADIUS];
         float rb = body[b + SmallState.RADIUS];

@@ -1,32 +1,31 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Slices;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Host code of {@code kernels/detect.cl}: finds the circles that overlap. Owns what grows with the pairs, in slices: the
- * strategy's look-up table and the thesis' triangle {@code collision}.
+ * Host code of {@code kernels/detect.cl}: finds the circles that overlap. Owns the thesis' triangle {@code collision}, in
+ * slices.
  */
 final class Detect {
     /** A part of the pairs, with the kernels that work on it. */
     private final class Slice {
         final long first;
         final long pairs;
-        final DeviceBuffer table =
-                new DeviceBuffer(session, "table of " + config.strategy().name());
+        final DeviceBuffer table;
         final DeviceBuffer collision = new DeviceBuffer(session, "collision");
         final DeviceBuffer mark = new DeviceBuffer(session, "mark");
         Kernel detect;
         Kernel collect;
 
-        Slice(int count, long first, long pairs) {
-            this.first = first;
-            this.pairs = pairs;
+        Slice(PairTables.Slice part) {
+            first = part.first();
+            pairs = part.pairs();
+            table = part.table();
             try {
-                allocate(count);
+                allocate();
             } catch (RuntimeException e) {
                 // the caller may try again with fewer circles, and needs the room
                 close();
@@ -34,12 +33,7 @@ final class Detect {
             }
         }
 
-        private void allocate(int count) {
-            long bytes = config.strategy().tableBytes(count, pairs);
-            table.ensure(bytes);
-            if (bytes > 0) {
-                table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
-            }
+        private void allocate() {
             if (triangle) {
                 collision.ensure(8 * pairs);
                 mark.ensure(4 * blocks(pairs));
@@ -59,13 +53,12 @@ final class Detect {
             }
             mark.close();
             collision.close();
-            table.close();
         }
     }
 
     private final Session session;
     private final Program program;
-    private final WorldConfig config;
+    private final PairTables tables;
     private final boolean triangle;
     private final List<Slice> slices = new ArrayList<>();
     private int circles = -1;
@@ -73,7 +66,7 @@ final class Detect {
     Detect(Session session, Program program, WorldConfig config) {
         this.session = session;
         this.program = program;
-        this.config = config;
+        tables = new PairTables(session, config);
         triangle = config.triangle();
     }
 
@@ -102,10 +95,9 @@ final class Detect {
 
     private void build(int count) {
         close();
-        Slices cut = Slices.of(config, count, session.device.maxBuffer, triangle);
         try {
-            for (int s = 0; s < cut.count(); s++) {
-                slices.add(new Slice(count, cut.first(s), cut.pairs(s)));
+            for (PairTables.Slice part : tables.slices(count)) {
+                slices.add(new Slice(part));
             }
         } catch (RuntimeException e) {
             close();
@@ -131,5 +123,6 @@ final class Detect {
         circles = -1;
         slices.forEach(Slice::close);
         slices.clear();
+        tables.close();
     }
 }

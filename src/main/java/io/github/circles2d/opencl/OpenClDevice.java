@@ -5,6 +5,7 @@ import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.pipeline.Device;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Stages;
+import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import org.jocl.CL;
 import org.jocl.Pointer;
@@ -113,7 +114,19 @@ public final class OpenClDevice implements Device {
         return new OpenClSmallStages(this, config);
     }
 
-    boolean isGpu() {
+    /** Work-items of a group: those a world asks for, or what suits the device. */
+    int group(WorldConfig config) {
+        int suits = isGpu() ? Tuning.GPU_WORK_GROUP : Tuning.CPU_WORK_GROUP;
+        return config.workGroup() > 0 ? config.workGroup() : suits;
+    }
+
+    /** The same for a launch of one group. */
+    int oneGroup(WorldConfig config) {
+        int suits = isGpu() ? Tuning.GPU_ONE_GROUP : Tuning.CPU_ONE_GROUP;
+        return config.workGroup() > 0 ? config.workGroup() : suits;
+    }
+
+    private boolean isGpu() {
         return type == ComputeDevice.Type.GPU;
     }
 }

@@ -38,10 +38,8 @@ final class OpenClSmallStages implements SmallStages {
 
     OpenClSmallStages(OpenClDevice device, WorldConfig config) {
         this.config = config;
-        boolean gpu = device.isGpu();
-        int suits = gpu ? Tuning.GPU_WORK_GROUP : Tuning.CPU_WORK_GROUP;
-        group = config.workGroup() > 0 ? config.workGroup() : suits;
-        oneGroup = config.workGroup() > 0 ? config.workGroup() : gpu ? Tuning.GPU_ONE_GROUP : Tuning.CPU_ONE_GROUP;
+        group = device.group(config);
+        oneGroup = device.oneGroup(config);
         numbers = ByteBuffer.allocateDirect(4 * Substeps.NUMBERS)
                 .order(ByteOrder.nativeOrder())
                 .asFloatBuffer();

@@ -33,10 +33,8 @@ final class OpenClStages implements Stages {
 
     OpenClStages(OpenClDevice device, WorldConfig config) {
         this.config = config;
-        boolean gpu = device.isGpu();
-        int suits = gpu ? Tuning.GPU_WORK_GROUP : Tuning.CPU_WORK_GROUP;
-        group = config.workGroup() > 0 ? config.workGroup() : suits;
-        oneGroup = config.workGroup() > 0 ? config.workGroup() : gpu ? Tuning.GPU_ONE_GROUP : Tuning.CPU_ONE_GROUP;
+        group = device.group(config);
+        oneGroup = device.oneGroup(config);
         session = new Session(device);
         try {
             state = new State(session);

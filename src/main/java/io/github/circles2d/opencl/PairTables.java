@@ -20,19 +20,30 @@ final class PairTables {
         this.config = config;
     }
 
-    /** The slices for so many circles. */
+    /** The slices for so many circles, small enough for the triangle where there is one. */
     List<Slice> slices(int count) {
         if (circles != count) {
-            circles = -1;
-            slices.forEach(slice -> slice.table.close());
-            slices.clear();
-            Slices cut = Slices.of(config, count, session.device.maxBuffer, false);
-            for (int s = 0; s < cut.count(); s++) {
-                slices.add(slice(count, cut.first(s), cut.pairs(s)));
+            close();
+            Slices cut = Slices.of(config, count, session.device.maxBuffer, config.triangle());
+            try {
+                for (int s = 0; s < cut.count(); s++) {
+                    slices.add(slice(count, cut.first(s), cut.pairs(s)));
+                }
+            } catch (RuntimeException e) {
+                // the caller may try again with fewer circles, and needs the room
+                close();
+                throw e;
             }
             circles = count;
         }
         return slices;
+    }
+
+    /** Gives the room of the tables back. */
+    void close() {
+        circles = -1;
+        slices.forEach(slice -> slice.table.close());
+        slices.clear();
     }
 
     private Slice slice(int count, long first, long pairs) {
@@ -45,7 +56,6 @@ final class PairTables {
                 table.fill(bytes, memory -> config.strategy().fillTable(count, first, pairs, memory));
             }
         } catch (RuntimeException e) {
-            // the caller may try again with fewer circles, and needs the room
             table.close();
             throw e;
         }
