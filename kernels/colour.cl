@@ -4,7 +4,8 @@
 // contacts of owner cell (x, y) touch circles of the cells x-1..x+1, y..y+1 alone: owners that agree in x mod 3 and in
 // y mod 2 share no circle. Six colours, free of conflicts by construction (design after Bullet's spatial batches).
 // Contacts are sorted by owner cell, and within it by the numbers of their circles: a counting sort, then ranks. The order
-// they were found in leaves no trace.
+// they were found in leaves no trace. Step 2, between those named below, is c2d_scan_group: it turns counts into the place one
+// past the last contact of each cell.
 
 // The cells: low corner, cells in one world unit, columns and rows. Twin of pipeline.CellGrid.
 static int2 c2d_cell(float2 position, float2 corner, float perUnit, int columns, int rows) {
@@ -25,31 +26,6 @@ static int c2d_owner(int4 contact, C2D_CELLS) {
 // Step 1, a contact: counts the contacts of each cell into cellStart.
 static void c2d_count(uint k, C2D_CELLS, __global const int4 *found, __global int *cellStart) {
     atomic_inc(&cellStart[c2d_owner(found[k], circle, corner, perUnit, columns, rows)]);
-}
-
-// Step 2, all work-items of one group: turns counts into the place one past the last contact of each cell.
-static void c2d_scan(__global int *cellStart, int cells, __local int *sums) {
-    const int item = (int)get_local_id(0);
-    const int items = (int)get_local_size(0);
-    const int part = (cells + items - 1) / items;
-    const int first = min(item * part, cells);
-    const int end = min(first + part, cells);
-    int own = 0;
-    for (int cell = first; cell < end; cell++) {
-        own += cellStart[cell];
-    }
-    sums[item] = own;
-    for (int step = 1; step < items; step *= 2) {
-        barrier(CLK_LOCAL_MEM_FENCE);
-        const int before = item >= step ? sums[item - step] : 0;
-        barrier(CLK_LOCAL_MEM_FENCE);
-        sums[item] += before;
-    }
-    int last = sums[item] - own;
-    for (int cell = first; cell < end; cell++) {
-        last += cellStart[cell];
-        cellStart[cell] = last;
-    }
 }
 
 // Step 3, a contact: takes the last free place of its cell, which leaves cellStart at the first.
@@ -121,7 +97,7 @@ __kernel void c2d_colour_count(C2D_CELLS, __global const int4 *found, __global i
 
 // Step 2. One work-group.
 __kernel void c2d_colour_scan(__global int *cellStart, __global const uint *status, int cells, __local int *sums) {
-    c2d_scan(cellStart, status[C2D_STALLED] != 0u ? 0 : cells, sums);
+    c2d_scan_group(cellStart, status[C2D_STALLED] != 0u ? 0 : cells, sums);
 }
 
 // Step 3.

@@ -56,3 +56,35 @@ static void c2d_append(int2 pair, float2 translation, __global int4 *found, __gl
         found[slot] = (int4)(pair.x, pair.y, as_int(translation.x), as_int(translation.y));
     }
 }
+
+// Turns counts into sums, each the sum of all up to it; sums too large for an int stay the largest int. Every work-item of a
+// group has some of the values.
+static int c2d_scan_part(__global int *values, int first, int end, __local int *sums) {
+    const int item = (int)get_local_id(0);
+    int own = 0;
+    for (int k = first; k < end; k++) {
+        own = add_sat(own, values[k]);
+    }
+    sums[item] = own;
+    for (int step = 1; step < (int)get_local_size(0); step *= 2) {
+        barrier(CLK_LOCAL_MEM_FENCE);
+        const int before = item >= step ? sums[item - step] : 0;
+        barrier(CLK_LOCAL_MEM_FENCE);
+        sums[item] = add_sat(sums[item], before);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int sum = item > 0 ? sums[item - 1] : 0;
+    for (int k = first; k < end; k++) {
+        sum = add_sat(sum, values[k]);
+        values[k] = sum;
+    }
+    return sum;
+}
+
+// The same for all of the values, shared out among one group.
+static void c2d_scan_group(__global int *values, int count, __local int *sums) {
+    const int items = (int)get_local_size(0);
+    const int part = (count + items - 1) / items;
+    const int first = min((int)get_local_id(0) * part, count);
+    c2d_scan_part(values, first, min(first + part, count), sums);
+}

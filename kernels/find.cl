@@ -1,12 +1,12 @@
 // Lists the pairs of circles that may touch before the next detection, those of neighbouring cells of the wider of their two
-// levels. By the grid, one work-item a circle; or by the index strategy, one work-item a pair. Twin of host.Find.
+// levels. By the grid, one work-item a circle; or by the index strategy, one work-item a pair. Twice: to count, and to fill
+// the lists. Twin of host.Find.
 
-// What find knows, in the order in which the kernels take it.
-#define C2D_FOUND                                                                                                      \
-    __global const float8 *body, __global const int *id, __global const int4 *cell, __global const int8 *levels,       \
-        __global const float *rule, __global int *ownerStart, __global int4 *found, __global int *foundOwner,          \
-        __global uint *status, uint capacity
-#define C2D_FOUND_HERE body, id, cell, levels, rule, ownerStart, found, foundOwner, status, capacity
+// What find knows. `filled`, from `circles` on: how much of each list is filled from its start; `found`: of each contact the
+// other circle and the one in whose list it is.
+#define C2D_FIND                                                                                                       \
+    __global const float8 *body, __global const int8 *levels, __global const float *rule, __global const uint *status,   \
+        int circles, __global int *listStart, __global int *filled, __global int *other, __global int2 *found
 
 // Whether two circles may touch within the horizon, in which gravity can part them by `fall`; the same whichever comes first.
 static bool c2d_near(float8 a, float8 b, __global const float *rule, float horizon, float fall) {
@@ -20,74 +20,122 @@ static bool c2d_near(float8 a, float8 b, __global const float *rule, float horiz
     return dx * dx + dy * dy < reach * reach;
 }
 
-// A contact as it is found is an int4: the places of its circles, lower number first, and their numbers.
-static void c2d_find_append(int i, int j, int owner, C2D_FOUND) {
-#if C2D_WIDE
-    if (atomic_add(&status[C2D_CONTACTS], 0u) > (uint)INT_MAX) {
-        return;
-    }
-#endif
-    const uint slot = atomic_inc(&status[C2D_CONTACTS]);
-    if (slot < capacity) {
-        const int a = id[i];
-        const int b = id[j];
-        found[slot] = a < b ? (int4)(i, j, a, b) : (int4)(j, i, b, a);
-        foundOwner[slot] = owner;
-        atomic_inc(&ownerStart[owner]);
-    }
-}
-
 #if C2D_PAIRWISE
-__kernel void c2d_find_pairs(C2D_FOUND, __global const int2 *table, int circles, ulong first, ulong pairs, float horizon,
-                             float fall) {
+static void c2d_find_pair(C2D_FIND, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall,
+                          bool fill) {
     const size_t item = get_global_id(0);
     if (item >= pairs || status[C2D_STALLED] != 0u) {
         return;
     }
     const int2 pair = c2d_pair_at((c2d_index)first + (c2d_index)item, (c2d_index)first, circles, table);
-    if (c2d_near(body[pair.x], body[pair.y], rule, horizon, fall)) {
-        const int4 a = cell[id[pair.x]];
-        const int4 b = cell[id[pair.y]];
-        const int8 level = levels[max(a.z, b.z)];
-        const int owner = c2d_owner_of_two(level, a.xy >> level.C2D_SHIFT, b.xy >> level.C2D_SHIFT);
-        if (owner >= 0) {
-            c2d_find_append(pair.x, pair.y, owner, C2D_FOUND_HERE);
-        }
-    }
-}
-#else
-// Looks into half of the cells around a circle's own, and into all of those of wider levels.
-__kernel void c2d_find(C2D_FOUND, __global const int *bucketStart, int circles, int levelCount, float horizon,
-                       float fall) {
-    const int i = (int)get_global_id(0);
-    if (i >= circles || status[C2D_STALLED] != 0u) {
+    const float8 bodyA = body[pair.x];
+    const float8 bodyB = body[pair.y];
+    if (!c2d_near(bodyA, bodyB, rule, horizon, fall)) {
         return;
     }
+    const int4 a = c2d_cell(bodyA, levels, rule);
+    const int4 b = c2d_cell(bodyB, levels, rule);
+    const int shift = levels[1 + max(a.z, b.z)].C2D_SHIFT;
+    const int dx = (a.x >> shift) - (b.x >> shift);
+    const int dy = (a.y >> shift) - (b.y >> shift);
+    if (abs(dx) > 1u || abs(dy) > 1u) {
+        return;
+    }
+    const bool lower = dy < 0 || (dy == 0 && (dx < 0 || (dx == 0 && pair.x < pair.y)));
+    const bool isFirst = a.z > b.z || (a.z == b.z && lower);
+    const int lists = isFirst ? pair.x : pair.y;
+    if (fill) {
+        found[listStart[lists] + atomic_inc(&filled[circles + lists])] = (int2)(isFirst ? pair.y : pair.x, lists);
+    } else {
+        atomic_inc(&listStart[lists + 1]);
+    }
+}
+
+__kernel void c2d_find_count(C2D_FIND, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall) {
+    c2d_find_pair(body, levels, rule, status, circles, listStart, filled, other, found, table, first, pairs, horizon,
+                  fall, false);
+}
+
+__kernel void c2d_find_fill(C2D_FIND, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall) {
+    c2d_find_pair(body, levels, rule, status, circles, listStart, filled, other, found, table, first, pairs, horizon,
+                  fall, true);
+}
+#else
+// Circle i looks into half of the cells around its own, and into all of those of wider levels: from the last to the first,
+// so that its own list fills up from its end. Returns how many of its level it found.
+static int c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, float horizon, float fall, bool fill) {
     const float8 own = body[i];
-    const int4 ownCell = cell[id[i]];
+    const int4 ownCell = c2d_cell(own, levels, rule);
+    const int levelCount = levels[0].C2D_LEVELS;
+    const int end = fill ? listStart[i + 1] : 0;
+    int free = end;
     for (int number = ownCell.z; number < levelCount; number++) {
-        const int8 level = levels[number];
+        const int8 level = levels[1 + number];
         const bool same = number == ownCell.z;
-        const int2 at = ownCell.xy >> level.C2D_SHIFT;
-        for (int dy = same ? 0 : -1; dy <= 1; dy++) {
-            for (int dx = same && dy == 0 ? 0 : -1; dx <= 1; dx++) {
-                const int2 other = at + (int2)(dx, dy);
-                if (other.x < 0 || other.y < 0 || other.x > level.C2D_LAST_X || other.y > level.C2D_LAST_Y) {
-                    continue;
-                }
-                const int bucket = c2d_bucket(level, other);
-                const int end = bucketStart[bucket + 1];
-                for (int j = same && dx == 0 && dy == 0 ? i + 1 : bucketStart[bucket]; j < end; j++) {
-                    if (c2d_near(own, body[j], rule, horizon, fall)) {
-                        // a bucket of a folded level holds circles of cells far apart
-                        const int2 there = cell[id[j]].xy >> level.C2D_SHIFT;
-                        if (there.x == other.x && there.y == other.y) {
-                            c2d_find_append(i, j, c2d_owner_of_two(level, at, other), C2D_FOUND_HERE);
+        const bool folded = c2d_is_folded(level);
+        const int x = ownCell.x >> level.C2D_SHIFT;
+        const int y = ownCell.y >> level.C2D_SHIFT;
+        const int right = min(x + 1, level.C2D_LAST_X);
+        for (int row = min(y + 1, level.C2D_LAST_Y); row >= max(same ? y : y - 1, 0); row--) {
+            // cells of a row are next to each other, save where the level is folded
+            const int left = same && row == y ? x : max(x - 1, 0);
+            for (int column = right; column >= left; column = folded ? column - 1 : -1) {
+                const int bucket = c2d_bucket(level, column, row);
+                const int firstBucket = folded ? bucket : bucket - (right - left);
+                const bool home = same && row == y && (!folded || column == x);
+                const int first = home ? i + 1 : bucketStart[firstBucket];
+                for (int j = bucketStart[bucket + 1] - 1; j >= first; j--) {
+                    const float8 there = body[j];
+                    if (!c2d_near(own, there, rule, horizon, fall)) {
+                        continue;
+                    }
+                    if (folded) {
+                        // a bucket holds circles of cells far apart
+                        const int4 cell = c2d_cell(there, levels, rule);
+                        if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
+                            continue;
                         }
+                    }
+                    if (!same) {
+                        if (fill) {
+                            found[listStart[j] + atomic_inc(&filled[circles + j])] = (int2)(i, j);
+                        } else {
+                            atomic_inc(&listStart[j + 1]);
+                        }
+                        continue;
+                    }
+                    free--;
+                    if (fill) {
+                        found[free] = (int2)(j, i);
+                        int at = free;
+                        // only a folded level is not in order yet
+                        for (; folded && at + 1 < end && other[at + 1] < j; at++) {
+                            other[at] = other[at + 1];
+                        }
+                        other[at] = j;
                     }
                 }
             }
         }
+    }
+    return end - free;
+}
+
+__kernel void c2d_find_count(C2D_FIND, __global const int *bucketStart, float horizon, float fall) {
+    const int i = (int)get_global_id(0);
+    if (i >= circles || status[C2D_STALLED] != 0u) {
+        return;
+    }
+    const int count = c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found,
+                                      bucketStart, horizon, fall, false);
+    atomic_add(&listStart[i + 1], count);
+}
+
+__kernel void c2d_find_fill(C2D_FIND, __global const int *bucketStart, float horizon, float fall) {
+    const int i = (int)get_global_id(0);
+    if (i < circles && status[C2D_STALLED] == 0u) {
+        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, horizon,
+                        fall, true);
     }
 }
 #endif

@@ -1,53 +1,48 @@
 // Sorts the circles by bucket of their cell, and by number within each: a counting sort, then ranks. One work-item a circle.
-// Nothing moves between this and find, so that a detection can be done again. Twin of host.Grid.
+// Reads what the detection before wrote and leaves it as it is, so that a detection can be done again. Twin of host.Grid.
 
 // The first launch of a detection: empties what is counted into. `cells` + 1 work-items.
-__kernel void c2d_grid_clear(__global int *bucketStart, __global int *ownerStart, __global uint *status, int cells) {
+__kernel void c2d_grid_clear(__global int *bucketStart, __global uint *status, int cells) {
     const int k = (int)get_global_id(0);
     if (k > cells || status[C2D_STALLED] != 0u) {
         return;
     }
     bucketStart[k] = 0;
-    ownerStart[k] = 0;
     if (k == 0) {
         status[C2D_CONTACTS] = 0u;
         status[C2D_FASTEST] = 0u;
     }
 }
 
-// Counts the circles of each bucket. `before`: in the order of the last detection.
-__kernel void c2d_grid_bin(__global const float8 *bodyBefore, __global const int *idBefore, __global const int *levelOf,
-                           __global const int8 *levels, __global int4 *cell, __global int *bucket,
-                           __global int *bucketStart, __global const uint *status, __global const float *rule,
-                           int circles, float perUnit, int lastColumn, int lastRow) {
+// Counts the circles of each bucket, one place up, so that the sums of the counts are where buckets begin. `before`: in the
+// order of the last detection. `bucket`: that of each circle, and then the turn of each in its bucket.
+__kernel void c2d_grid_bin(__global const float8 *bodyBefore, __global const int8 *levels, __global const float *rule,
+                           __global const uint *status, int circles, __global int *bucket, __global int *bucketStart) {
     const int i = (int)get_global_id(0);
     if (i >= circles || status[C2D_STALLED] != 0u) {
         return;
     }
-    const int id = idBefore[i];
-    const float8 body = bodyBefore[i];
-    const int number = levelOf[id];
-    const int8 level = levels[number];
-    const int2 finest = (int2)(c2d_finest(body.s0, C2D_MIN(0), perUnit, lastColumn),
-                               c2d_finest(body.s1, C2D_MIN(1), perUnit, lastRow));
-    const int own = c2d_bucket(level, finest >> level.C2D_SHIFT);
-    cell[id] = (int4)(finest.x, finest.y, number, 0);
+    const int4 cell = c2d_cell(bodyBefore[i], levels, rule);
+    const int8 level = levels[1 + cell.z];
+    const int own = c2d_bucket(level, cell.x >> level.C2D_SHIFT, cell.y >> level.C2D_SHIFT);
     bucket[i] = own;
-    atomic_inc(&bucketStart[own]);
+    bucket[circles + i] = atomic_inc(&bucketStart[own + 1]);
 }
 
-// Takes the last free place of the bucket, which leaves bucketStart at the first.
-__kernel void c2d_grid_scatter(__global const int *bucket, __global int *bucketStart, __global const uint *status,
+__kernel void c2d_grid_scatter(__global const int *bucket, __global const int *bucketStart, __global const uint *status,
                                int circles, __global int *unsorted) {
     const int i = (int)get_global_id(0);
     if (i < circles && status[C2D_STALLED] == 0u) {
-        unsorted[atomic_dec(&bucketStart[bucket[i]]) - 1] = i;
+        unsorted[bucketStart[bucket[i]] + bucket[circles + i]] = i;
     }
 }
 
-__kernel void c2d_grid_order(__global const int *unsorted, __global const int *bucket, __global const int *bucketStart,
+// Also empties the lists; turns are no longer needed, so that they can count how far a list is filled. `from`: the place at
+// the detection before.
+__kernel void c2d_grid_order(__global const int *unsorted, __global int *bucket, __global const int *bucketStart,
                              __global const float8 *bodyBefore, __global const int *idBefore,
-                             __global const uint *status, int circles, __global float8 *body, __global int *id) {
+                             __global const uint *status, int circles, __global float8 *body, __global int *id,
+                             __global int *from, __global int *listStart) {
     const int p = (int)get_global_id(0);
     if (p >= circles || status[C2D_STALLED] != 0u) {
         return;
@@ -62,4 +57,10 @@ __kernel void c2d_grid_order(__global const int *unsorted, __global const int *b
     }
     body[place] = bodyBefore[i];
     id[place] = own;
+    from[place] = i;
+    bucket[circles + p] = 0;
+    listStart[p + 1] = 0;
+    if (p == 0) {
+        listStart[0] = 0;
+    }
 }

@@ -100,21 +100,31 @@ __kernel void c2d_integrate(__global float8 *body, __global const int *id, __glo
     body[i] = (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
 }
 
-// After an upload: the circles in the order of their numbers.
-__kernel void c2d_load(__global const float4 *circle, __global const float2 *velocities, __global const float2 *kick,
-                       int circles, __global float8 *body, __global int *id) {
+// After an upload: what is new of the circles, `old` of which have a place already; the others come last.
+__kernel void c2d_load(__global const float4 *circle, __global const float2 *velocities, int old, int circles,
+                       __global float8 *body, __global int *id, __global int *listStart) {
     const int i = (int)get_global_id(0);
-    if (i < circles) {
-        const float4 c = circle[i];
-        body[i] = (float8)(c.x, c.y, velocities[i].x, velocities[i].y, kick[i].x, kick[i].y, c.z, 1.0f / c.w);
+    if (i >= circles) {
+        return;
+    }
+    const bool known = i < old;
+    const int number = known ? id[i] : i;
+    const float4 c = circle[number];
+    const float2 v = velocities[number];
+    const float2 kick = known ? body[i].s45 : (float2)(0.0f, 0.0f);
+    body[i] = (float8)(c.x, c.y, v.x, v.y, kick.x, kick.y, c.z, 1.0f / c.w);
+    if (!known) {
         id[i] = i;
+        listStart[i + 1] = old > 0 ? listStart[old] : 0;
+    }
+    if (old == 0 && i == 0) {
+        listStart[0] = 0;
     }
 }
 
 // After a step: the circles by number, and the highest speed, in radii a second.
 __kernel void c2d_publish(__global const float8 *body, __global const int *id, __global uint *status, int circles,
-                          __global float4 *circle, __global float2 *velocities, __global float2 *kick,
-                          __local uint *fastest) {
+                          __global float4 *circle, __global float2 *velocities, __local uint *fastest) {
     const int i = (int)get_global_id(0);
     if (get_local_id(0) == 0) {
         *fastest = 0u;
@@ -125,7 +135,6 @@ __kernel void c2d_publish(__global const float8 *body, __global const int *id, _
         const int to = id[i];
         circle[to].xy = b.s01;
         velocities[to] = b.s23;
-        kick[to] = b.s45;
         // positive floats compare as their bits do
         atomic_max(fastest, as_uint(c2d_positive(sqrt(b.s2 * b.s2 + b.s3 * b.s3) / b.s6)));
     }

@@ -2,28 +2,6 @@
 // parts, one a work-group; the sums of the parts, one work-group; the sums added to the parts. Integers alone, so that the
 // size of a group leaves no trace.
 
-// The values that one work-item has of those of its group.
-static int c2d_scan_part(__global int *values, int first, int end, __local int *sums) {
-    const int item = (int)get_local_id(0);
-    int own = 0;
-    for (int k = first; k < end; k++) {
-        own += values[k];
-    }
-    sums[item] = own;
-    for (int step = 1; step < (int)get_local_size(0); step *= 2) {
-        barrier(CLK_LOCAL_MEM_FENCE);
-        const int before = item >= step ? sums[item - step] : 0;
-        barrier(CLK_LOCAL_MEM_FENCE);
-        sums[item] += before;
-    }
-    int sum = sums[item] - own;
-    for (int k = first; k < end; k++) {
-        sum += values[k];
-        values[k] = sum;
-    }
-    return sum;
-}
-
 __kernel void c2d_scan_parts(__global int *values, int all, __global int *partSums, __global const uint *status,
                              __local int *sums) {
     // in a step that has stalled, these are the values of the detection before: they are still needed
@@ -35,15 +13,16 @@ __kernel void c2d_scan_parts(__global int *values, int all, __global int *partSu
     }
 }
 
-// Also the one place that stalls a detection.
-__kernel void c2d_scan_sums(__global int *partSums, int parts, __global uint *status, uint capacity,
+// Also the one place that stalls a detection: where the values are the lengths of lists, with room for `capacity` contacts;
+// -1 for other values.
+__kernel void c2d_scan_sums(__global int *partSums, int parts, __global uint *status, int capacity,
                             __local int *sums) {
-    const int items = (int)get_local_size(0);
-    const int part = (parts + items - 1) / items;
-    const int first = min((int)get_local_id(0) * part, parts);
-    c2d_scan_part(partSums, first, min(first + part, parts), sums);
-    if (get_local_id(0) == 0 && status[C2D_CONTACTS] > capacity) {
-        status[C2D_STALLED] = 1u;
+    c2d_scan_group(partSums, parts, sums);
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    if (get_local_id(0) == 0 && capacity >= 0 && status[C2D_STALLED] == 0u) {
+        const int contacts = partSums[parts - 1];
+        status[C2D_CONTACTS] = (uint)contacts;
+        status[C2D_STALLED] = contacts > capacity ? 1u : 0u;
     }
 }
 
@@ -51,6 +30,6 @@ __kernel void c2d_scan_add(__global int *values, int count, __global const int *
                            __global const uint *status, int perPart) {
     const int k = (int)get_global_id(0);
     if (k >= perPart && k < count && status[C2D_STALLED] == 0u) {
-        values[k] += partSums[k / perPart - 1];
+        values[k] = add_sat(values[k], partSums[k / perPart - 1]);
     }
 }

@@ -1,11 +1,14 @@
 // What the stages of Solver.SMALL_STEPS share. Twins: host.SmallState, pipeline.Levels, pipeline.Substeps.
 //
-// A circle in the order of the cells, its body, is a float8:
+// Circles are kept in the order of the cells; where one is in that order is its place. By place: `body`, a float8,
 //   .s01 centre   .s23 velocity   .s45 kick to come   .s6 radius   .s7 inverse mass
-// By number: its cell, an int4 (finest column, finest row, level, -; level -1 where it was not there), and its walls, a float8:
-// of the left, right, lower and upper wall the impulse to come, then the last one of each (-1 after a bounce).
-// A contact: `pair`, the places of its circles among the bodies, and `ids`, their numbers, lower first; `memory`, the impulse
-// to come and the last one (-1 after a bounce).
+// and `id`, its number. By number: `walls`, a float8: of the left, right, lower and upper wall the impulse to come, then the
+// last one of each (-1 after a bounce).
+//
+// Every contact is in the list of one of its circles: of the one at the wider level; on one level, of the one in the lower
+// cell, by row and then by column; in one cell, of the one at the lower place. The list of a circle is
+// `other[listStart[place]]` up to `other[listStart[place + 1]]`, the places of the other circles, ascending; with each goes
+// `memory`, the impulse to come and the last one (-1 after a bounce).
 
 // The numbers of a substep, in `rule`.
 #define C2D_TIME rule[0]
@@ -28,7 +31,10 @@
 #define C2D_IMPULSE_MOST rule[21]
 #define C2D_ALWAYS_NEAR rule[22]
 
-// A level of cells, an int8.
+// `levels`, int8s: first one for all of the cells, then one a level, finest first.
+#define C2D_LEVELS s0
+#define C2D_PER_UNIT s3
+
 #define C2D_SHIFT s0
 #define C2D_LAST_X s1
 #define C2D_LAST_Y s2
@@ -36,37 +42,17 @@
 #define C2D_HEIGHT s4
 #define C2D_SHEAR s5
 #define C2D_BASE s6
-#define C2D_OWNERS s7
+#define C2D_LARGEST s7
 
-// Column and row of buckets of a cell.
-static int2 c2d_folded(int8 level, int2 cell) {
-    if (cell.x < level.C2D_WIDTH && cell.y < level.C2D_HEIGHT) {
-        return cell;
+static bool c2d_is_folded(int8 level) { return level.C2D_LAST_X >= level.C2D_WIDTH || level.C2D_LAST_Y >= level.C2D_HEIGHT; }
+
+static int c2d_bucket(int8 level, int x, int y) {
+    if (x >= level.C2D_WIDTH || y >= level.C2D_HEIGHT) {
+        const int turn = x / level.C2D_WIDTH;
+        x -= turn * level.C2D_WIDTH;
+        y = (int)(((long)y + (long)turn * (long)level.C2D_SHEAR) % (long)level.C2D_HEIGHT);
     }
-    const int turn = cell.x / level.C2D_WIDTH;
-    const long row = (long)cell.y + (long)turn * (long)level.C2D_SHEAR;
-    return (int2)(cell.x - turn * level.C2D_WIDTH, (int)(row % (long)level.C2D_HEIGHT));
-}
-
-static int c2d_bucket(int8 level, int2 cell) {
-    const int2 at = c2d_folded(level, cell);
-    return level.C2D_BASE + at.y * level.C2D_WIDTH + at.x;
-}
-
-static int c2d_owner_at(int8 level, int2 cell) {
-    const int2 at = c2d_folded(level, cell);
-    return level.C2D_BASE + (at.x % 3 + 3 * (at.y % 2)) * level.C2D_OWNERS + at.y / 2 * ((level.C2D_WIDTH + 2) / 3) +
-           at.x / 3;
-}
-
-// The owner of a contact of circles in two cells of one level: the lower, by row and then by column; -1 where they are not
-// neighbours.
-static int c2d_owner_of_two(int8 level, int2 a, int2 b) {
-    if (abs(a.x - b.x) > 1u || abs(a.y - b.y) > 1u) {
-        return -1;
-    }
-    const bool lower = a.y < b.y || (a.y == b.y && a.x <= b.x);
-    return c2d_owner_at(level, lower ? a : b);
+    return level.C2D_BASE + y * level.C2D_WIDTH + x;
 }
 
 // The finest column or row of a coordinate; whatever lies outside, or nowhere, counts to the nearest.
@@ -74,6 +60,18 @@ static int c2d_finest(float coordinate, float min, float perUnit, int last) {
     const float cell = (coordinate - min) * perUnit;
     const float low = cell > 0.0f ? cell : 0.0f;
     return (int)(low < (float)last ? low : (float)last);
+}
+
+// The cell of a circle: finest column and row, and the number of its level.
+static int4 c2d_cell(float8 body, __global const int8 *levels, __global const float *rule) {
+    const int8 all = levels[0];
+    const float perUnit = as_float(all.C2D_PER_UNIT);
+    int number = 0;
+    while (number < all.C2D_LEVELS - 1 && body.s6 > as_float(levels[1 + number].C2D_LARGEST)) {
+        number++;
+    }
+    return (int4)(c2d_finest(body.s0, C2D_MIN(0), perUnit, all.C2D_LAST_X),
+                  c2d_finest(body.s1, C2D_MIN(1), perUnit, all.C2D_LAST_Y), number, 0);
 }
 
 static float c2d_positive(float x) { return x > 0.0f ? x : 0.0f; }

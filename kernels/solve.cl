@@ -1,16 +1,16 @@
-// One pass over the contacts, in the order that match made: Solver.SMALL_STEPS. Twin of host.Solve.
+// One pass over the contacts: Solver.SMALL_STEPS. Twin of host.Solve.
 
-static void c2d_visit(uint k, __global float8 *body, __global const float2 *kicked, __global const int2 *pair,
-                      __global const int2 *ids, __global float2 *memory, __global const float *rule) {
-    const int2 at = pair[k];
-    float8 a = body[at.x];
-    float8 b = body[at.y];
+// Circle i and the contact k with a circle j; what it changes of i stays in the hands of the caller.
+static float8 c2d_visit(float8 a, int i, int k, __global float8 *body, __global const int *id,
+                        __global const float2 *kicked, __global const int *other, __global float2 *memory,
+                        __global const float *rule) {
+    const int j = other[k];
+    float8 b = body[j];
     const float dx = a.s0 - b.s0;
     const float dy = a.s1 - b.s1;
     const float distance = sqrt(dx * dx + dy * dy);
-    // the normal points to the first circle
-    const float2 normal =
-        distance > 0.0f ? (float2)(dx / distance, dy / distance) : c2d_direction(ids[k].x, ids[k].y);
+    // the normal points to the circle of the list
+    const float2 normal = distance > 0.0f ? (float2)(dx / distance, dy / distance) : c2d_direction(id[i], id[j]);
     const float nx = normal.x;
     const float ny = normal.y;
     const float wa = a.s7;
@@ -25,10 +25,17 @@ static void c2d_visit(uint k, __global float8 *body, __global const float2 *kick
     float impulse = come - (speed + c2d_positive(gap) * C2D_PER_TIME) / w;
     bool bounced = false;
     if (!(impulse > 0.0f)) {
+        if (come == 0.0f && gap >= 0.0f) {
+            // nothing to do, nothing to store
+            if (last != 0.0f) {
+                memory[k] = (float2)(0.0f, 0.0f);
+            }
+            return a;
+        }
         impulse = 0.0f;
     } else if (come == 0.0f) {
-        const float2 ua = kicked[at.x];
-        const float2 ub = kicked[at.y];
+        const float2 ua = kicked[i];
+        const float2 ub = kicked[j];
         const float before = speed - ((ua.x - ub.x) * nx + (ua.y - ub.y) * ny);
         const bool carried = ua.x != 0.0f || ua.y != 0.0f || ub.x != 0.0f || ub.y != 0.0f;
         if (before < -C2D_BOUNCE_FROM && !(last < 0.0f && carried)) {
@@ -61,42 +68,65 @@ static void c2d_visit(uint k, __global float8 *body, __global const float2 *kick
         b.s4 -= wb * next * nx;
         b.s5 -= wb * next * ny;
     }
-    body[at.x] = a;
-    body[at.y] = b;
+    body[j] = b;
     memory[k] = (float2)(next, bounced ? -1.0f : impulse);
+    return a;
 }
 
-// The owners of one colour of one level. One work-item an owner, its contacts in turn.
-__kernel void c2d_solve(__global float8 *body, __global const float2 *kicked, __global const int2 *pair,
-                        __global const int2 *ids, __global float2 *memory, __global const int *ownerStart,
-                        __global const uint *status, __global const float *rule, int firstOwner, int owners) {
+#define C2D_SOLVE                                                                                                      \
+    __global float8 *body, __global const int *id, __global const float2 *kicked, __global const int *listStart,         \
+        __global const int *other, __global float2 *memory, __global const int *bucketStart,                             \
+        __global const uint *status, __global const int8 *levels, __global const float *rule
+#define C2D_SOLVE_HERE body, id, kicked, listStart, other, memory, bucketStart, status, levels, rule
+
+// The lists of the circles of one bucket, one after the other.
+static void c2d_solve_bucket(int bucket, C2D_SOLVE) {
+    int i = bucketStart[bucket];
+    const int last = bucketStart[bucket + 1];
+    int k = listStart[i];
+    const int end = listStart[last];
+    while (k < end) {
+        int listEnd = listStart[i + 1];
+        while (listEnd == k) {
+            i++;
+            listEnd = listStart[i + 1];
+        }
+        float8 a = body[i];
+        for (; k < listEnd; k++) {
+            a = c2d_visit(a, i, k, body, id, kicked, other, memory, rule);
+        }
+        body[i] = a;
+        i++;
+    }
+}
+
+// The buckets of one colour of one level, of those `rows` rows apart whose column and row leave `x` and `y`: one work-item
+// each. `across`: how many there are in a row.
+__kernel void c2d_solve(C2D_SOLVE, int number, int x, int y, int rows, int across, int buckets) {
     const int item = (int)get_global_id(0);
-    if (item >= owners || status[C2D_STALLED] != 0u) {
+    if (item >= buckets || status[C2D_STALLED] != 0u) {
         return;
     }
-    const int end = ownerStart[firstOwner + item + 1];
-    for (int k = ownerStart[firstOwner + item]; k < end; k++) {
-        c2d_visit((uint)k, body, kicked, pair, ids, memory, rule);
-    }
+    const int8 level = levels[1 + number];
+    const int row = y + rows * (item / across);
+    c2d_solve_bucket(level.C2D_BASE + row * level.C2D_WIDTH + x + 3 * (item % across), C2D_SOLVE_HERE);
 }
 
-// The levels from `firstLevel` on, all of their colours, in one launch of one work-group: where owners are few, launches would
-// cost more than the work.
-__kernel void c2d_solve_narrow(__global float8 *body, __global const float2 *kicked, __global const int2 *pair,
-                               __global const int2 *ids, __global float2 *memory, __global const int *ownerStart,
-                               __global const uint *status, __global const float *rule, __global const int8 *levels,
-                               int firstLevel, int levelCount) {
+// The levels from `firstLevel` on, all of their colours, in one launch of one work-group: where buckets are few, launches
+// would cost more than the work.
+__kernel void c2d_solve_narrow(C2D_SOLVE, int firstLevel, int levelCount) {
     const bool stalled = status[C2D_STALLED] != 0u;
     for (int number = firstLevel; number < levelCount; number++) {
-        const int owners = stalled ? 0 : levels[number].C2D_OWNERS;
-        const int base = levels[number].C2D_BASE;
-        for (int colour = 0; colour < 6; colour++) {
-            const int first = base + colour * owners;
-            for (int item = (int)get_local_id(0); item < owners; item += (int)get_local_size(0)) {
-                const int end = ownerStart[first + item + 1];
-                for (int k = ownerStart[first + item]; k < end; k++) {
-                    c2d_visit((uint)k, body, kicked, pair, ids, memory, rule);
-                }
+        const int8 level = levels[1 + number];
+        const int rows = number == 0 ? 2 : 3;
+        for (int colour = 0; colour < 3 * rows; colour++) {
+            const int x = colour % 3;
+            const int y = colour / 3;
+            const int across = (level.C2D_WIDTH - x + 2) / 3;
+            const int buckets = stalled ? 0 : across * ((level.C2D_HEIGHT - y + rows - 1) / rows);
+            for (int item = (int)get_local_id(0); item < buckets; item += (int)get_local_size(0)) {
+                const int row = y + rows * (item / across);
+                c2d_solve_bucket(level.C2D_BASE + row * level.C2D_WIDTH + x + 3 * (item % across), C2D_SOLVE_HERE);
             }
             barrier(CLK_GLOBAL_MEM_FENCE);
         }
@@ -109,10 +139,10 @@ static float2 c2d_rescaled(float come, float last, float ratio) {
 
 // What impulses are worth in substeps of another time. One work-item a circle, going round where contacts are more.
 __kernel void c2d_rescale(__global float8 *body, __global float *walls, __global float2 *memory,
-                          __global const int *ownerStart, int cells, int circles, __global const float *rule) {
+                          __global const int *listStart, int circles, __global const float *rule) {
     const float ratio = C2D_RESCALE;
     const int i = (int)get_global_id(0);
-    const int contacts = ownerStart[cells];
+    const int contacts = listStart[circles];
     for (int k = i; k < contacts; k += (int)get_global_size(0)) {
         memory[k] = c2d_rescaled(memory[k].x, memory[k].y, ratio);
     }

@@ -5,8 +5,13 @@ import io.github.circles2d.CollisionStore;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Solver;
+import io.github.circles2d.bench.Packed;
 import io.github.circles2d.demo.Scene;
+import io.github.circles2d.pipeline.DeviceState;
 import io.github.circles2d.pipeline.Pipeline;
+import io.github.circles2d.pipeline.SmallPipeline;
+import io.github.circles2d.pipeline.StepSums;
+import io.github.circles2d.pipeline.Stepper;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.lang.reflect.Proxy;
@@ -29,14 +34,16 @@ import org.jocl.cl_event;
 import org.jocl.cl_kernel;
 
 /**
- * How long each kernel of a step takes on the device, by the device's own clock, for the thesis' scene after some steps.
+ * How long each kernel of a step takes on the device, by the device's own clock, for a scene after some steps. Scene {@code
+ * packed} is the circles of {@code pile} laid out as they lie in a pile.
  *
  * <pre>{@code
- * java -cp target/benchmarks.jar io.github.circles2d.opencl.StageTimes DEVICE CIRCLES STEPS_BEFORE STRATEGY STORE
+ * java -cp target/benchmarks.jar io.github.circles2d.opencl.StageTimes \
+ *     DEVICE SCENE CIRCLES STEPS_BEFORE SOLVER SUBSTEPS STRATEGY STORE
  * }</pre>
  */
 public final class StageTimes {
-    private static final int STEPS = 200;
+    private static final int STEPS = 20;
 
     private record Launch(String kernel, cl_event event) {}
 
@@ -84,35 +91,36 @@ public final class StageTimes {
         return value[0];
     }
 
-    /** Takes the five arguments of the class comment. */
+    /** Takes the arguments of the class comment. */
     public static void main(String[] args) {
         String wanted = ComputeDevice.find(args[0]).orElseThrow().name();
-        int circles = Integer.parseInt(args[1]);
+        int circles = Integer.parseInt(args[2]);
+        int before = Integer.parseInt(args[3]);
         OpenClDevice device = OpenClDevices.list(profiling(JoclApi.load())).stream()
                 .filter(d -> d.name().equals(wanted))
                 .findFirst()
                 .orElseThrow();
+        Scene scene = args[1].equals("packed") ? Packed.SCENE : Scene.named(args[1]);
         WorldConfig config = new WorldConfig(
                 1f / 60,
-                Scene.THESIS.gravityX(),
-                Scene.THESIS.gravityY(),
-                Scene.THESIS.restitution(),
+                scene.gravityX(),
+                scene.gravityY(),
+                scene.restitution(),
                 0,
                 0,
                 1,
                 1,
-                IndexStrategy.named(args[3]),
-                CollisionStore.valueOf(args[4]),
-                Solver.IMPULSE,
+                IndexStrategy.named(args[6]),
+                CollisionStore.valueOf(args[7]),
+                Solver.valueOf(args[4]),
                 0,
                 0,
                 Tuning.SMALL_WORLD,
-                0);
+                Integer.parseInt(args[5]));
         FloatBuffer circle = direct(4 * circles);
         FloatBuffer velocities = direct(2 * circles);
         float maxRadius = 0;
-        try (Circles2D world = Scene.THESIS.build(Circles2D.builder(), circles)) {
-            world.step(Integer.parseInt(args[2]));
+        try (Circles2D world = scene.build(Circles2D.builder().device(ComputeDevice.host()), circles)) {
             var now = world.snapshot();
             for (int i = 0; i < circles; i++) {
                 circle.put(4 * i, now.x(i)).put(4 * i + 1, now.y(i)).put(4 * i + 2, now.radius(i));
@@ -121,32 +129,76 @@ public final class StageTimes {
                 maxRadius = Math.max(maxRadius, now.radius(i));
             }
         }
-        Map<String, LongSummaryStatistics> times = new LinkedHashMap<>();
-        long contacts;
-        try (OpenClStages stages = new OpenClStages(device, config)) {
-            stages.upload(circle, velocities, circles, maxRadius);
-            Pipeline pipeline = new Pipeline(stages);
-            pipeline.step();
-            pipeline.await();
-            for (int step = 0; step < STEPS; step++) {
-                LAUNCHES.clear();
-                pipeline.step();
-                pipeline.await();
-                for (Launch launch : LAUNCHES) {
-                    long took = time(launch.event, CL.CL_PROFILING_COMMAND_END)
-                            - time(launch.event, CL.CL_PROFILING_COMMAND_START);
-                    times.computeIfAbsent(launch.kernel, k -> new LongSummaryStatistics())
-                            .accept(took);
-                    CL.clReleaseEvent(launch.event);
-                }
+        boolean small = config.solver() == Solver.SMALL_STEPS;
+        try (DeviceState stages = small ? new OpenClSmallStages(device, config) : new OpenClStages(device, config)) {
+            Stepper stepper =
+                    small ? new SmallPipeline(config, (OpenClSmallStages) stages) : new Pipeline((OpenClStages) stages);
+            stepper.upload(circle, velocities, circles, maxRadius);
+            for (int step = 0; step < before; step++) {
+                stepper.step();
+                stepper.await();
+                take(null);
             }
-            contacts = pipeline.contacts();
+            Map<String, LongSummaryStatistics> times = new LinkedHashMap<>();
+            long span = 0;
+            long start = System.nanoTime();
+            for (int step = 0; step < STEPS; step++) {
+                stepper.step();
+                stepper.await();
+                span += take(times);
+            }
+            double wall = (System.nanoTime() - start) / 1e3 / STEPS;
+            StepSums sums = stages.sums();
+            System.out.printf(
+                    "%n%s, %s, %d circles, after %d steps, %s, %s substeps, %s, %s%n"
+                            + "contacts listed %d, touching %d, mean overlap %.4f, max %.3f, fastest %.3g%n"
+                            + "| kernel | launches a step | us a step | us a launch |%n| --- | ---: | ---: | ---: |%n",
+                    device.name(),
+                    args[1],
+                    circles,
+                    before,
+                    args[4],
+                    args[5],
+                    args[6],
+                    args[7],
+                    stepper.contacts(),
+                    sums.touching(),
+                    sums.meanOverlap(),
+                    sums.largestOverlap(),
+                    sums.fastest());
+            double busy = 0;
+            double launches = 0;
+            for (var entry : times.entrySet()) {
+                LongSummaryStatistics t = entry.getValue();
+                busy += t.getSum() / 1e3 / STEPS;
+                launches += (double) t.getCount() / STEPS;
+                System.out.printf(
+                        "| %s | %.1f | %.1f | %.2f |%n",
+                        entry.getKey(), (double) t.getCount() / STEPS, t.getSum() / 1e3 / STEPS, t.getAverage() / 1e3);
+            }
+            System.out.printf(
+                    "| all | %.0f | %.1f | |%n| from first to last | | %.1f | |%n| wall clock, with events | | %.1f | |%n",
+                    launches, busy, span / 1e3 / STEPS, wall);
         }
-        System.out.printf(
-                "%s, %d circles, after %s steps, %s, %s: %d contacts%n| kernel | launches a step | us a step |%n| --- | --- | --- |%n",
-                device.name(), circles, args[2], args[3], args[4], contacts);
-        times.forEach((kernel, t) -> System.out.printf(
-                "| %s | %.0f | %.1f |%n", kernel, (double) t.getCount() / STEPS, t.getSum() / 1e3 / STEPS));
+    }
+
+    /** Books the launches since the last call and forgets them; the time from the start of the first to the end of the last. */
+    private static long take(Map<String, LongSummaryStatistics> times) {
+        long first = Long.MAX_VALUE;
+        long last = 0;
+        for (Launch launch : LAUNCHES) {
+            if (times != null) {
+                long start = time(launch.event, CL.CL_PROFILING_COMMAND_START);
+                long end = time(launch.event, CL.CL_PROFILING_COMMAND_END);
+                first = Math.min(first, start);
+                last = Math.max(last, end);
+                times.computeIfAbsent(launch.kernel, k -> new LongSummaryStatistics())
+                        .accept(end - start);
+            }
+            CL.clReleaseEvent(launch.event);
+        }
+        LAUNCHES.clear();
+        return last - Math.min(first, last);
     }
 
     private static FloatBuffer direct(int floats) {

@@ -5,6 +5,7 @@ import io.github.circles2d.pipeline.Pipeline;
 import io.github.circles2d.pipeline.SmallPipeline;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Stages;
+import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Stepper;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
@@ -40,7 +41,6 @@ public final class Circles2D implements AutoCloseable {
     private final Stepper pipeline;
     private final CircleState state;
     private final LeakReporter leak;
-    private StatsReader statsReader;
 
     /** The state on the host is that of the last step. */
     private boolean fresh = true;
@@ -202,10 +202,7 @@ public final class Circles2D implements AutoCloseable {
         if (count == 0) {
             return;
         }
-        if (changed) {
-            pipeline.upload(state.circleBuffer(), state.velocityBuffer(), state.count(), state.maxRadius());
-            changed = false;
-        }
+        upload();
         fresh = false;
         try {
             for (int i = 0; i < count; i++) {
@@ -234,15 +231,25 @@ public final class Circles2D implements AutoCloseable {
         return state.hash();
     }
 
-    /** What the last step looked like; all zero before the first. Waits for it. Reads the contacts back: not for every frame. */
+    /** What the last step looked like; before the first, the circles alone. Waits for it; computed on the device. */
     public synchronized StepStats stats() {
         requireUsable();
-        download();
-        if (statsReader == null) {
-            statsReader = new StatsReader(stages, config);
-        }
         try {
-            return statsReader.read(steps, pipeline.contacts(), state);
+            if (steps == 0) {
+                upload();
+            }
+            pipeline.await();
+            StepSums sums = stages.sums();
+            return new StepStats(
+                    steps,
+                    sums.touching(),
+                    sums.largestOverlap(),
+                    sums.meanOverlap(),
+                    sums.energy(),
+                    sums.momentumX(),
+                    sums.momentumY(),
+                    sums.fastest(),
+                    (int) sums.outside());
         } catch (Circles2DException e) {
             throw failed(e);
         }
@@ -261,6 +268,13 @@ public final class Circles2D implements AutoCloseable {
             closed = true;
             leak.closed();
             stages.close();
+        }
+    }
+
+    private void upload() {
+        if (changed) {
+            pipeline.upload(state.circleBuffer(), state.velocityBuffer(), state.count(), state.maxRadius());
+            changed = false;
         }
     }
 

@@ -4,13 +4,13 @@ package io.github.circles2d;
  * What the last finished step looked like.
  *
  * <p>Contacts are those of circles that overlap: under {@link Solver#IMPULSE} as the step found them, before it resolved
- * them; under {@link Solver#SMALL_STEPS} after the step.
+ * them; under {@link Solver#SMALL_STEPS} after the step. All of it is computed on the device, in 32-bit floats with
+ * compensated sums and in whole numbers, so that every device gives the same bits.
  *
  * @param steps steps since the world was built
  * @param contacts contacts of that step
  * @param maxOverlap deepest overlap of them, a fraction of the smaller radius of its two circles; 0 without contacts
- * @param meanOverlap mean of the same over all contacts; 0 without contacts. Summed in the order in which the device found
- *     them, so its last digits can differ between runs
+ * @param meanOverlap mean of the same over all contacts; 0 without contacts
  * @param kineticEnergy sum of m v^2 / 2 after the step, mass x (world units / s)^2
  * @param momentumX sum of m vx after the step, mass x world units / s
  * @param momentumY sum of m vy after the step

@@ -3,100 +3,174 @@ package io.github.circles2d.host;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Substeps;
 import io.github.circles2d.pipeline.WorldConfig;
+import java.util.Arrays;
 
 /** Twin of {@code kernels/find.cl}: lists the pairs of circles that may touch before the next detection. */
 final class Find {
+    private final WorldConfig config;
     private final SmallState state;
     private final SmallContacts contacts;
     private final Workers workers;
-    private final Workers.Work work = this::part;
+    private final Workers.Work search = this::search;
+    private final Workers.Work fill = this::fill;
     private final PairSource pairs;
+    /** Of each part: contacts listed with the circle that found them, in order; and the others. */
+    private final SmallContacts.Found[] own;
+
+    private final SmallContacts.Found[] listed;
+    /** How many contacts each circle found that are listed with it. */
+    private int[] owns = {};
+
     private float horizon;
     private float fall;
 
     Find(WorldConfig config, SmallState state, SmallContacts contacts, Workers workers) {
+        this.config = config;
         this.state = state;
         this.contacts = contacts;
         this.workers = workers;
         pairs = config.strategy().pairwise() ? new PairSource(config) : null;
+        own = new SmallContacts.Found[workers.most()];
+        listed = new SmallContacts.Found[workers.most()];
+        Arrays.setAll(own, part -> new SmallContacts.Found());
+        Arrays.setAll(listed, part -> new SmallContacts.Found());
     }
 
     void run(float newHorizon, float newFall) {
         horizon = newHorizon;
         fall = newFall;
-        contacts.turn(state.levels.cells);
-        if (pairs != null) {
-            pairs.forEach(state.circles, this::pair);
-            return;
+        contacts.turn();
+        if (owns.length < state.id.length) {
+            owns = new int[state.id.length];
         }
-        workers.run(state.circles, work);
+        for (int part = 0; part < own.length; part++) {
+            own[part].count = 0;
+            listed[part].count = 0;
+        }
+        if (pairs != null) {
+            Arrays.fill(owns, 0, state.circles, 0);
+            pairs.forEach(state.circles, this::pair);
+        } else {
+            workers.run(state.circles, search);
+        }
+        lay();
+        workers.run(state.circles, fill);
     }
 
-    private void part(int part, int from, int end) {
+    /** Where each list begins; then what others have found for it, at its start, in the order of their places. */
+    private void lay() {
+        int[] start = contacts.listStart;
+        start[0] = 0;
+        System.arraycopy(owns, 0, start, 1, state.circles);
+        for (SmallContacts.Found found : listed) {
+            for (int k = 0; k < found.count; k++) {
+                start[found.lists[k] + 1]++;
+            }
+        }
+        contacts.lay(state.circles);
+        // from the last to the first, downwards from where the circle's own begin
+        for (int part = listed.length - 1; part >= 0; part--) {
+            SmallContacts.Found found = listed[part];
+            for (int k = found.count - 1; k >= 0; k--) {
+                int i = found.lists[k];
+                owns[i]++;
+                contacts.other[start[i + 1] - owns[i]] = found.other[k];
+            }
+        }
+        if (pairs != null) {
+            for (int i = 0; i < state.circles; i++) {
+                Arrays.sort(contacts.other, start[i], start[i + 1]);
+                owns[i] = 0;
+            }
+        }
+    }
+
+    private void search(int part, int from, int end) {
         for (int i = from; i < end; i++) {
-            neighbours(i, contacts.found[part]);
+            int before = own[part].count;
+            around(i, own[part], listed[part]);
+            owns[i] = own[part].count - before;
+        }
+    }
+
+    /** Copies what circles have found for themselves to the ends of their lists. */
+    private void fill(int part, int from, int end) {
+        SmallContacts.Found found = own[part];
+        int k = 0;
+        for (int i = from; k < found.count; i++) {
+            int first = k;
+            while (k < found.count && found.lists[k] == i) {
+                k++;
+            }
+            System.arraycopy(found.other, first, contacts.other, contacts.listStart[i + 1] - (k - first), k - first);
         }
     }
 
     /** {@code c2d_find_pair}. */
     private void pair(int i, int j) {
-        int ci = SmallState.CELL * state.id[i];
-        int cj = SmallState.CELL * state.id[j];
-        int[] cell = state.cell;
-        int at = Levels.INTS * Math.max(cell[ci + 2], cell[cj + 2]);
-        int shift = state.levels.table[at + Levels.SHIFT];
-        int x = cell[ci] >> shift;
-        int y = cell[ci + 1] >> shift;
-        int otherX = cell[cj] >> shift;
-        int otherY = cell[cj + 1] >> shift;
-        if (Math.abs(x - otherX) <= 1 && Math.abs(y - otherY) <= 1 && near(i, j)) {
-            boolean lower = y < otherY || y == otherY && x <= otherX;
-            append(
-                    contacts.found[0],
-                    i,
-                    j,
-                    lower ? state.levels.owner(at, x, y) : state.levels.owner(at, otherX, otherY));
+        if (!near(i, j)) {
+            return;
         }
+        Levels levels = state.levels;
+        int a = levels.levelOf(radius(i));
+        int b = levels.levelOf(radius(j));
+        int shift = levels.table[Levels.at(Math.max(a, b)) + Levels.SHIFT];
+        int dx = (column(i) >> shift) - (column(j) >> shift);
+        int dy = (row(i) >> shift) - (row(j) >> shift);
+        if (Math.abs(dx) > 1 || Math.abs(dy) > 1) {
+            return;
+        }
+        boolean lower = dy < 0 || dy == 0 && (dx < 0 || dx == 0 && i < j);
+        boolean first = a > b || a == b && lower;
+        listed[0].append(first ? j : i, first ? i : j);
     }
 
-    /** {@code c2d_find}: circle i looks into half of the cells around its own, and into all of those of wider levels. */
-    private void neighbours(int i, SmallContacts.Found found) {
+    /** {@code c2d_find_around}, from the first to the last. */
+    private void around(int i, SmallContacts.Found ownFound, SmallContacts.Found listedFound) {
         Levels levels = state.levels;
-        int c = SmallState.CELL * state.id[i];
-        int own = state.cell[c + 2];
-        for (int level = own; level < levels.count; level++) {
-            int at = Levels.INTS * level;
+        int home = levels.levelOf(radius(i));
+        for (int number = home; number < levels.count; number++) {
+            int at = Levels.at(number);
             int shift = levels.table[at + Levels.SHIFT];
-            int x = state.cell[c] >> shift;
-            int y = state.cell[c + 1] >> shift;
-            int owner = levels.owner(at, x, y);
-            for (int dy = level == own ? 0 : -1; dy <= 1; dy++) {
-                for (int dx = level == own && dy == 0 ? 0 : -1; dx <= 1; dx++) {
-                    int otherX = x + dx;
-                    int otherY = y + dy;
-                    if (otherX < 0
-                            || otherY < 0
-                            || otherX > levels.table[at + Levels.LAST_X]
-                            || otherY > levels.table[at + Levels.LAST_Y]) {
-                        continue;
-                    }
-                    int bucket = levels.bucket(at, otherX, otherY);
-                    int first = level == own && dx == 0 && dy == 0 ? i + 1 : state.bucketStart[bucket];
-                    for (int j = first; j < state.bucketStart[bucket + 1]; j++) {
-                        if (near(i, j) && in(j, otherX, otherY, shift)) {
-                            boolean lower = dy > 0 || dy == 0 && dx >= 0;
-                            append(found, i, j, lower ? owner : levels.owner(at, otherX, otherY));
+            int x = column(i) >> shift;
+            int y = row(i) >> shift;
+            boolean same = number == home;
+            boolean folded = levels.folded(at);
+            int lastRow = Math.min(y + 1, levels.table[at + Levels.LAST_Y]);
+            int lastColumn = Math.min(x + 1, levels.table[at + Levels.LAST_X]);
+            int begin = ownFound.count;
+            for (int row = same ? y : Math.max(y - 1, 0); row <= lastRow; row++) {
+                for (int column = same && row == y ? x : Math.max(x - 1, 0); column <= lastColumn; column++) {
+                    int bucket = levels.bucket(at, column, row);
+                    boolean mine = same && row == y && column == x;
+                    for (int j = mine ? i + 1 : state.bucketStart[bucket]; j < state.bucketStart[bucket + 1]; j++) {
+                        // a bucket of a folded level holds circles of cells far apart
+                        if (near(i, j) && (!folded || column(j) >> shift == column && row(j) >> shift == row)) {
+                            if (same) {
+                                ownFound.append(j, i);
+                            } else {
+                                listedFound.append(i, j);
+                            }
                         }
                     }
                 }
             }
+            if (folded) {
+                Arrays.sort(ownFound.other, begin, ownFound.count);
+            }
         }
     }
 
-    /** A bucket of a folded level holds circles of cells far apart. */
-    private boolean in(int j, int x, int y, int shift) {
-        int c = SmallState.CELL * state.id[j];
-        return state.cell[c] >> shift == x && state.cell[c + 1] >> shift == y;
+    private int column(int i) {
+        return state.levels.column(state.body[SmallState.BODY * i], config.minX());
+    }
+
+    private int row(int i) {
+        return state.levels.row(state.body[SmallState.BODY * i + 1], config.minY());
+    }
+
+    private float radius(int i) {
+        return state.body[SmallState.BODY * i + SmallState.RADIUS];
     }
 
     /** Whether two circles may touch within the horizon; the same whichever comes first. */
@@ -114,10 +188,5 @@ final class Find {
         float smaller = ra < rb ? ra : rb;
         float reach = ra + rb + state.number(Substeps.ALWAYS_NEAR) * smaller + fall + travel;
         return dx * dx + dy * dy < reach * reach;
-    }
-
-    private void append(SmallContacts.Found found, int i, int j, int owner) {
-        boolean inOrder = state.id[i] < state.id[j];
-        found.append(inOrder ? i : j, inOrder ? j : i, owner);
     }
 }

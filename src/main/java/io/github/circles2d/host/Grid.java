@@ -10,7 +10,10 @@ final class Grid {
     private final SmallState state;
     private float[] sorted = {};
     private int[] sortedId = {};
-    private int[] place = {};
+    /** By number: the bucket, and the place at the detection before. */
+    private int[] bucketOf = {};
+
+    private int[] placeOf = {};
 
     Grid(WorldConfig config, SmallState state) {
         this.config = config;
@@ -19,35 +22,28 @@ final class Grid {
 
     void run() {
         Levels levels = state.levels;
-        turn(levels.cells);
+        ready(levels.cells);
         int[] start = state.bucketStart;
-        int lastColumn = levels.lastColumn(config);
-        int lastRow = levels.lastRow(config);
         for (int i = 0; i < state.circles; i++) {
-            int d = state.id[i];
             int b = SmallState.BODY * i;
-            int c = SmallState.CELL * d;
-            int at = Levels.INTS * state.level[d];
+            int at = Levels.at(levels.levelOf(state.body[b + SmallState.RADIUS]));
             int shift = levels.table[at + Levels.SHIFT];
-            int x = levels.finest(state.body[b], config.minX(), lastColumn);
-            int y = levels.finest(state.body[b + 1], config.minY(), lastRow);
-            state.cell[c] = x;
-            state.cell[c + 1] = y;
-            state.cell[c + 2] = state.level[d];
-            place[d] = i;
-            start[levels.bucket(at, x >> shift, y >> shift)]++;
+            int x = levels.column(state.body[b], config.minX());
+            int y = levels.row(state.body[b + 1], config.minY());
+            int bucket = levels.bucket(at, x >> shift, y >> shift);
+            placeOf[state.id[i]] = i;
+            bucketOf[state.id[i]] = bucket;
+            start[bucket]++;
         }
         for (int bucket = 1; bucket <= levels.cells; bucket++) {
             start[bucket] += start[bucket - 1];
         }
         // from the last number to the first, each takes the last free place: lower numbers come first
         for (int d = state.circles - 1; d >= 0; d--) {
-            int c = SmallState.CELL * d;
-            int at = Levels.INTS * state.level[d];
-            int shift = levels.table[at + Levels.SHIFT];
-            int to = --start[levels.bucket(at, state.cell[c] >> shift, state.cell[c + 1] >> shift)];
-            System.arraycopy(state.body, SmallState.BODY * place[d], sorted, SmallState.BODY * to, SmallState.BODY);
+            int to = --start[bucketOf[d]];
+            System.arraycopy(state.body, SmallState.BODY * placeOf[d], sorted, SmallState.BODY * to, SmallState.BODY);
             sortedId[to] = d;
+            state.from[to] = placeOf[d];
         }
         float[] swap = state.body;
         state.body = sorted;
@@ -57,11 +53,7 @@ final class Grid {
         sortedId = swapId;
     }
 
-    /** What was this detection is now the one before. */
-    private void turn(int buckets) {
-        int[] swap = state.cell;
-        state.cell = state.cellBefore;
-        state.cellBefore = swap;
+    private void ready(int buckets) {
         if (state.bucketStart.length < buckets + 1) {
             state.bucketStart = new int[buckets + 1];
         } else {
@@ -70,7 +62,8 @@ final class Grid {
         if (sortedId.length != state.id.length) {
             sorted = new float[state.body.length];
             sortedId = new int[state.id.length];
-            place = new int[state.id.length];
+            placeOf = new int[state.id.length];
+            bucketOf = new int[state.id.length];
         }
     }
 }

@@ -3,24 +3,26 @@ package io.github.circles2d.host;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Status;
+import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.FloatBuffer;
-import java.nio.IntBuffer;
 
 /** The stages of one world of small steps in plain Java. Nothing queues up: every call is done when it returns. */
 public final class HostSmallStages implements SmallStages {
     private final SmallState state = new SmallState();
     private final Workers workers = new Workers();
-    private final SmallContacts contacts = new SmallContacts(workers.most());
+    private final SmallContacts contacts = new SmallContacts();
     private final Grid grid;
     private final Find find;
     private final Match match;
     private final Integrate integrate;
     private final Solve solve;
+    private final WorldConfig config;
     private int detections;
 
     public HostSmallStages(WorldConfig config) {
+        this.config = config;
         grid = new Grid(config, state);
         find = new Find(config, state, contacts, workers);
         match = new Match(state, contacts, workers);
@@ -31,6 +33,7 @@ public final class HostSmallStages implements SmallStages {
     @Override
     public void upload(FloatBuffer circle, FloatBuffer velocities, Levels levels) {
         state.upload(circle, velocities, levels);
+        contacts.ensureCircles(state.id.length);
     }
 
     @Override
@@ -78,7 +81,7 @@ public final class HostSmallStages implements SmallStages {
     public Status await() {
         int done = detections;
         detections = 0;
-        return new Status(contacts.count, false, done);
+        return new Status(contacts.listStart[state.circles], false, done);
     }
 
     @Override
@@ -87,10 +90,8 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void contacts(int from, int count, IntBuffer to) {
-        for (int k = 0; k < count; k++) {
-            to.put(4 * k, contacts.ids[2 * (from + k)]).put(4 * k + 1, contacts.ids[2 * (from + k) + 1]);
-        }
+    public StepSums sums() {
+        return Stats.ofLists(config, state, contacts);
     }
 
     @Override

@@ -3,6 +3,7 @@ package io.github.circles2d.host;
 import io.github.circles2d.pipeline.CellGrid;
 import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.Status;
+import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -80,6 +81,11 @@ public final class HostStages implements Stages {
     @Override
     public void contacts(int from, int count, IntBuffer to) {
         to.put(0, contacts.found, Contacts.INTS * from, Contacts.INTS * count);
+    }
+
+    @Override
+    public StepSums sums() {
+        return Stats.ofFound(config, state, contacts);
     }
 
     @Override

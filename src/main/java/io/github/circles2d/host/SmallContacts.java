@@ -4,113 +4,89 @@ import io.github.circles2d.CapacityException;
 import io.github.circles2d.pipeline.Tuning;
 import java.util.Arrays;
 
-/** The contacts of {@link io.github.circles2d.Solver#SMALL_STEPS}, of this detection and what is kept of the one before. */
+/**
+ * The lists of contacts of {@link io.github.circles2d.Solver#SMALL_STEPS}, of this detection and of the one before: the
+ * buffers of {@code kernels/small.cl}, by the same names.
+ */
 final class SmallContacts {
     private static final int MOST = (Integer.MAX_VALUE - 64) / 4;
 
     /** Contacts as they are found, by one thread. */
     static final class Found {
         int count;
-        /** Places of the two circles in the order of the cells, lower number first. */
-        int[] pair = {};
+        /** The circle that a contact is not listed with. */
+        int[] other = {};
+        /** The one it is listed with; only where that does not follow from the order. */
+        int[] lists = {};
 
-        int[] owner = {};
-
-        void append(int a, int b, int to) {
-            if (count == owner.length) {
+        void append(int circle, int listedWith) {
+            if (count == other.length) {
                 if (count == MOST) {
                     throw new CapacityException(
                             "a step found more than " + MOST + " contacts; Java has room for no more");
                 }
                 int room = (int) Math.min(MOST, Math.max(Tuning.FIRST_CONTACTS, count * Tuning.GROWTH));
-                pair = Arrays.copyOf(pair, 2 * room);
-                owner = Arrays.copyOf(owner, room);
+                other = Arrays.copyOf(other, room);
+                lists = Arrays.copyOf(lists, room);
             }
-            pair[2 * count] = a;
-            pair[2 * count + 1] = b;
-            owner[count] = to;
+            other[count] = circle;
+            lists[count] = listedWith;
             count++;
         }
     }
 
-    int count;
-    /** One for each part of the circles. */
-    final Found[] found;
+    /** Where the list of each circle begins; one more for the end of the last. */
+    int[] listStart = {0};
 
-    /** Sorted by owner and numbers: the places of the two circles. */
-    int[] pair = {};
-    /** Sorted: the numbers of the two circles. */
-    int[] ids = {};
+    int[] listStartBefore = {0};
+    /** The place of the other circle. */
+    int[] other = {};
 
-    int[] idsBefore = {};
-    /** Sorted: the impulse to come, and the last one; -1 after a bounce. */
+    int[] otherBefore = {};
+    /** The impulse to come, and the last one; -1 after a bounce. */
     float[] memory = {};
 
     float[] memoryBefore = {};
-    /** The first contact of each owner, and their number. */
-    int[] ownerStart = {};
 
-    int[] ownerStartBefore = {};
-
-    /** @param parts parts that find may come in */
-    SmallContacts(int parts) {
-        found = new Found[parts];
-        Arrays.setAll(found, part -> new Found());
+    /** Makes room for more circles, whose lists are empty. */
+    void ensureCircles(int room) {
+        if (listStart.length < room + 1) {
+            int old = listStart.length;
+            listStart = Arrays.copyOf(listStart, room + 1);
+            Arrays.fill(listStart, old, room + 1, listStart[old - 1]);
+            listStartBefore = new int[room + 1];
+        }
     }
 
     /** What was this detection is now the one before. */
-    void turn(int owners) {
-        int[] swap = ids;
-        ids = idsBefore;
-        idsBefore = swap;
+    void turn() {
+        int[] swap = listStart;
+        listStart = listStartBefore;
+        listStartBefore = swap;
+        swap = other;
+        other = otherBefore;
+        otherBefore = swap;
         float[] swapMemory = memory;
         memory = memoryBefore;
         memoryBefore = swapMemory;
-        swap = ownerStart;
-        ownerStart = ownerStartBefore;
-        ownerStartBefore = swap;
-        if (ownerStart.length < owners + 1) {
-            ownerStart = new int[owners + 1];
-        } else {
-            Arrays.fill(ownerStart, 0, owners + 1, 0);
-        }
-        for (Found part : found) {
-            part.count = 0;
-        }
     }
 
-    /** Counts what was found and makes the sorted lists large enough for it. */
-    void matchRoom() {
+    /** Turns the lengths of the lists, each one place up, into where they begin, and makes room for them. */
+    void lay(int circles) {
         long all = 0;
-        for (Found part : found) {
-            all += part.count;
+        for (int i = 1; i <= circles; i++) {
+            all += listStart[i];
+            if (all > MOST) {
+                throw new CapacityException("a step found more than " + MOST + " contacts; Java has room for no more");
+            }
+            listStart[i] = (int) all;
         }
-        if (all > MOST) {
-            throw new CapacityException("a step found " + all + " contacts; Java has room for " + MOST);
-        }
-        count = (int) all;
-        int room = (int) Math.min(MOST, Math.max(Tuning.FIRST_CONTACTS, count * Tuning.GROWTH));
-        if (pair.length < 2 * count) {
-            pair = new int[2 * room];
-        }
-        if (ids.length < 2 * count) {
-            ids = new int[2 * room];
+        // new circles, until the next detection, have empty lists
+        Arrays.fill(listStart, circles + 1, listStart.length, (int) all);
+        if (other.length < all) {
+            int room = (int) Math.min(MOST, Math.max(Tuning.FIRST_CONTACTS, all * Tuning.GROWTH));
+            other = new int[room];
             memory = new float[2 * room];
         }
-    }
-
-    /** The first of the owners {@code low .. high} whose contacts begin at contact k or later. */
-    int ownerFrom(int k, int low, int high) {
-        int from = low;
-        int end = high;
-        while (from < end) {
-            int middle = from + (end - from) / 2;
-            if (ownerStart[middle] < k) {
-                from = middle + 1;
-            } else {
-                end = middle;
-            }
-        }
-        return from;
     }
 }

@@ -10,8 +10,12 @@ final class Solve {
     private final Workers workers;
     private final Workers.Work work = this::part;
     private float[] n;
-    private int firstOwner;
-    private int endOwner;
+    /** Of the pass: where the level begins in the table, what column and row of a bucket leave, how many rows are apart. */
+    private int at;
+
+    private int x;
+    private int y;
+    private int rows;
 
     Solve(SmallState state, SmallContacts contacts, Workers workers) {
         this.state = state;
@@ -19,35 +23,75 @@ final class Solve {
         this.workers = workers;
     }
 
-    /** A level and a colour at a time: owners of one colour share no circle. */
+    /** A level and a colour at a time: buckets of one colour share no circle. */
     void run() {
         n = state.substeps.numbers();
         Levels levels = state.levels;
-        for (int at = 0; at < levels.table.length; at += Levels.INTS) {
-            int owners = levels.table[at + Levels.OWNERS];
-            for (int colour = 0; colour < Levels.COLOURS; colour++) {
-                firstOwner = levels.table[at + Levels.BASE] + colour * owners;
-                endOwner = firstOwner + owners;
-                int items = contacts.ownerStart[endOwner] - contacts.ownerStart[firstOwner];
-                workers.run(items, work);
+        for (int number = 0; number < levels.count; number++) {
+            at = Levels.at(number);
+            rows = Levels.rows(number);
+            int circles = state.bucketStart[first() + buckets()] - state.bucketStart[first()];
+            for (int colour = 0; colour < 3 * rows; colour++) {
+                x = colour % 3;
+                y = colour / 3;
+                workers.run(circles, work);
             }
         }
     }
 
+    private int first() {
+        return state.levels.table[at + Levels.BASE];
+    }
+
+    private int buckets() {
+        return state.levels.table[at + Levels.WIDTH] * state.levels.table[at + Levels.HEIGHT];
+    }
+
+    /** The buckets of the colour that begin with circles {@code from .. end - 1} of the level. */
     private void part(int part, int from, int end) {
-        int first = contacts.ownerStart[firstOwner];
-        int k = contacts.ownerStart[contacts.ownerFrom(first + from, firstOwner, endOwner)];
-        int last = contacts.ownerStart[contacts.ownerFrom(first + end, firstOwner, endOwner)];
-        for (; k < last; k++) {
-            visit(k);
+        int width = state.levels.table[at + Levels.WIDTH];
+        int low = bucketFrom(from) - first();
+        int high = bucketFrom(end) - first();
+        for (int row = low / width; row * width < high; row++) {
+            if (row % rows != y) {
+                continue;
+            }
+            int column = Math.max(0, low - row * width);
+            column += Math.floorMod(x - column, 3);
+            for (; column < Math.min(width, high - row * width); column += 3) {
+                bucket(first() + row * width + column);
+            }
         }
     }
 
-    /** One visit of a contact: {@link io.github.circles2d.Solver#SMALL_STEPS}. The normal points to the first circle. */
-    private void visit(int k) {
+    /** The first bucket of the level that begins with circle {@code circle} of it, or with a later one. */
+    private int bucketFrom(int circle) {
+        int low = first();
+        int high = low + buckets();
+        int wanted = state.bucketStart[low] + circle;
+        while (low < high) {
+            int middle = low + (high - low) / 2;
+            if (state.bucketStart[middle] < wanted) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return low;
+    }
+
+    private void bucket(int bucket) {
+        for (int i = state.bucketStart[bucket]; i < state.bucketStart[bucket + 1]; i++) {
+            for (int k = contacts.listStart[i]; k < contacts.listStart[i + 1]; k++) {
+                visit(i, k);
+            }
+        }
+    }
+
+    /** One visit of a contact: {@link io.github.circles2d.Solver#SMALL_STEPS}. The normal points to the circle of the list. */
+    private void visit(int i, int k) {
         float[] body = state.body;
-        int i = contacts.pair[2 * k];
-        int j = contacts.pair[2 * k + 1];
+        int j = contacts.other[k];
         int a = SmallState.BODY * i;
         int b = SmallState.BODY * j;
         float dx = body[a] - body[b];
@@ -59,8 +103,8 @@ final class Solve {
             nx = dx / distance;
             ny = dy / distance;
         } else {
-            nx = Detect.directionX(contacts.ids[2 * k], contacts.ids[2 * k + 1]);
-            ny = Detect.directionY(contacts.ids[2 * k], contacts.ids[2 * k + 1]);
+            nx = Detect.directionX(state.id[i], state.id[j]);
+            ny = Detect.directionY(state.id[i], state.id[j]);
         }
         float ra = body[a + SmallState.RADIUS];
         float rb = body[b + SmallState.RADIUS];
@@ -76,6 +120,11 @@ final class Solve {
         float impulse = come - (speed + (gap > 0 ? gap : 0) * n[Substeps.PER_TIME]) / w;
         boolean bounced = false;
         if (!(impulse > 0)) {
+            if (come == 0 && gap >= 0) {
+                // nothing to do, nothing to store
+                contacts.memory[2 * k + 1] = 0;
+                return;
+            }
             impulse = 0;
         } else if (come == 0) {
             float uax = state.kicked[2 * i];
@@ -129,7 +178,7 @@ final class Solve {
     /** The kernel {@code c2d_rescale}: what an impulse is worth in substeps of another time. */
     void rescale() {
         float ratio = state.number(Substeps.RESCALE);
-        for (int k = 0; k < contacts.count; k++) {
+        for (int k = 0; k < contacts.listStart[state.circles]; k++) {
             rescale(contacts.memory, 2 * k, 2 * k + 1, ratio);
         }
         for (int i = 0; i < state.circles; i++) {

@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Tuning;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,57 +9,79 @@ final class Find {
     private final Session session;
     private final Program program;
     private final PairTables tables;
-    private final List<Kernel> kernels = new ArrayList<>();
+    private final List<Kernel> count = new ArrayList<>();
+    private final List<Kernel> fill = new ArrayList<>();
+    private final Scan scan;
+    private float horizon;
+    private float gravityFall;
 
     /** @param tables the pairs, or null to look into the grid */
     Find(Session session, Program program, PairTables tables) {
         this.session = session;
         this.program = program;
         this.tables = tables;
+        scan = new Scan(session, program);
     }
 
-    void bind(State state, SmallBuffers buffers, Turn now, Levels levels, int group) {
-        Object[] found = {
-            now.body,
-            now.id,
-            now.cell,
-            now.levels,
+    void bind(SmallWorld world) {
+        SmallBuffers buffers = world.buffers();
+        Object[] known = {
+            world.now().body,
+            buffers.levels,
             buffers.rule,
-            now.ownerStart,
-            buffers.found,
-            buffers.foundOwner,
-            state.status,
-            buffers.capacity()
+            world.state().status,
+            world.circles(),
+            world.now().listStart,
+            buffers.kicked,
+            world.now().other,
+            world.now().memory
         };
+        scan.bind(world, world.now().listStart, world.circles() + 1, buffers.capacity());
+        bind(world, count, "c2d_find_count", known);
+        bind(world, fill, "c2d_find_fill", known);
+        horizon = Float.NaN;
+    }
+
+    private void bind(SmallWorld world, List<Kernel> kernels, String name, Object[] known) {
         if (tables == null) {
-            grow(1);
-            kernels.get(0)
-                    .arguments(found, buffers.bucketStart, state.circles, levels.count)
-                    .range(state.circles, group);
+            grow(kernels, name, 1);
+            kernels.get(0).arguments(known, world.buffers().bucketStart).range(world.circles(), world.group());
             return;
         }
-        List<PairTables.Slice> slices = tables.slices(state.circles);
-        grow(slices.size());
+        List<PairTables.Slice> slices = tables.slices(world.circles());
+        grow(kernels, name, slices.size());
         for (int s = 0; s < slices.size(); s++) {
             PairTables.Slice slice = slices.get(s);
             kernels.get(s)
-                    .arguments(found, slice.table(), state.circles, slice.first(), slice.pairs())
-                    .range(slice.pairs(), group, Tuning.PAIRS_PER_LAUNCH);
+                    .arguments(known, slice.table(), slice.first(), slice.pairs())
+                    .range(slice.pairs(), world.group(), Tuning.PAIRS_PER_LAUNCH);
         }
     }
 
-    private void grow(int wanted) {
+    private void grow(List<Kernel> kernels, String name, int wanted) {
         while (kernels.size() > wanted) {
             kernels.remove(kernels.size() - 1).close();
         }
         while (kernels.size() < wanted) {
-            kernels.add(new Kernel(session, program, tables == null ? "c2d_find" : "c2d_find_pairs"));
+            kernels.add(new Kernel(session, program, name));
         }
     }
 
-    void run(float horizon, float fall) {
+    void run(float newHorizon, float newFall) {
+        // an argument costs a third of a launch
+        boolean changes = horizon != newHorizon || gravityFall != newFall;
+        horizon = newHorizon;
+        gravityFall = newFall;
+        run(count, changes);
+        scan.run();
+        run(fill, changes);
+    }
+
+    private void run(List<Kernel> kernels, boolean changes) {
         for (int s = 0; s < kernels.size(); s++) {
-            kernels.get(s).more(horizon, fall);
+            if (changes) {
+                kernels.get(s).more(horizon, gravityFall);
+            }
             kernels.get(s).launch();
         }
     }

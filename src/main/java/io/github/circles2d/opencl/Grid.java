@@ -1,8 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Levels;
-import io.github.circles2d.pipeline.WorldConfig;
-
 /** Host code of {@code kernels/grid.cl}: sorts the circles by bucket, and by number within each. */
 final class Grid {
     private final Kernel clear;
@@ -19,46 +16,38 @@ final class Grid {
         order = new Kernel(session, program, "c2d_grid_order");
     }
 
-    void bind(
-            WorldConfig config,
-            State state,
-            SmallBuffers buffers,
-            Turn now,
-            Turn before,
-            Levels levels,
-            int group,
-            int oneGroup) {
-        clear.arguments(buffers.bucketStart, now.ownerStart, state.status, levels.cells)
-                .range(levels.cells + 1, group);
+    void bind(SmallWorld world) {
+        SmallBuffers buffers = world.buffers();
+        DeviceBuffer status = world.state().status;
+        DeviceBuffer bucket = buffers.kicked;
+        DeviceBuffer unsorted = world.now().other;
+        int cells = world.levels().cells;
+        clear.arguments(buffers.bucketStart, status, cells).range(cells + 1, world.group());
         bin.arguments(
-                        before.body,
-                        before.id,
-                        buffers.levelOf,
-                        now.levels,
-                        now.cell,
-                        buffers.bucket,
-                        buffers.bucketStart,
-                        state.status,
+                        world.before().body,
+                        buffers.levels,
                         buffers.rule,
-                        state.circles,
-                        levels.perUnit,
-                        levels.lastColumn(config),
-                        levels.lastRow(config))
-                .range(state.circles, group);
-        scan.bind(buffers.bucketStart, levels.cells + 1, state, buffers, group, oneGroup);
-        scatter.arguments(buffers.bucket, buffers.bucketStart, state.status, state.circles, buffers.unsorted)
-                .range(state.circles, group);
+                        status,
+                        world.circles(),
+                        bucket,
+                        buffers.bucketStart)
+                .range(world.circles(), world.group());
+        scan.bind(world, buffers.bucketStart, cells + 1, -1);
+        scatter.arguments(bucket, buffers.bucketStart, status, world.circles(), unsorted)
+                .range(world.circles(), world.group());
         order.arguments(
-                        buffers.unsorted,
-                        buffers.bucket,
+                        unsorted,
+                        bucket,
                         buffers.bucketStart,
-                        before.body,
-                        before.id,
-                        state.status,
-                        state.circles,
-                        now.body,
-                        now.id)
-                .range(state.circles, group);
+                        world.before().body,
+                        world.before().id,
+                        status,
+                        world.circles(),
+                        world.now().body,
+                        world.now().id,
+                        buffers.from,
+                        world.now().listStart)
+                .range(world.circles(), world.group());
     }
 
     void run() {

@@ -14,11 +14,14 @@ final class Integrate {
         publish = new Kernel(session, program, "c2d_publish");
     }
 
-    void bind(State state, SmallBuffers buffers, Turn now, int group) {
+    void bind(SmallWorld world) {
+        SmallBuffers buffers = world.buffers();
+        Turn now = world.now();
+        State state = world.state();
         Object[] circles = {now.body, now.id, buffers.kicked, buffers.walls, state.status, buffers.rule, state.circles};
-        move.arguments(circles, 1, 0).range(state.circles, group);
-        kick.arguments(circles, 0, 1).range(state.circles, group);
-        both.arguments(circles, 1, 1).range(state.circles, group);
+        move.arguments(circles, 1, 0).range(state.circles, world.group());
+        kick.arguments(circles, 0, 1).range(state.circles, world.group());
+        both.arguments(circles, 1, 1).range(state.circles, world.group());
         publish.arguments(
                         now.body,
                         now.id,
@@ -26,9 +29,8 @@ final class Integrate {
                         state.circles,
                         state.circle,
                         state.velocities,
-                        buffers.kick,
                         new Kernel.Local(4))
-                .range(state.circles, group);
+                .range(state.circles, world.group());
     }
 
     void run(boolean moves, boolean kicks) {

@@ -1,53 +1,43 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Levels;
-
-/**
- * Host code of {@code kernels/match.cl}: sorts the contacts by owner and numbers, and gives each what the detection before
- * remembers of it.
- */
+/** Host code of {@code kernels/match.cl}: gives each contact what the detection before remembers of it. */
 final class Match {
-    private final Scan scan;
-    private final Kernel scatter;
+    private final Kernel order;
     private final Kernel match;
+    private boolean orders;
 
     Match(Session session, Program program) {
-        scan = new Scan(session, program);
-        scatter = new Kernel(session, program, "c2d_match_scatter");
+        order = new Kernel(session, program, "c2d_match_order");
         match = new Kernel(session, program, "c2d_match");
     }
 
-    void bind(State state, SmallBuffers buffers, Turn now, Turn before, Levels levels, int group, int oneGroup) {
+    void bind(SmallWorld world) {
         // contacts are about twice as many as circles; the kernels go round where they are more
-        long items = Math.max(1, 2L * state.circles);
-        scan.bind(now.ownerStart, levels.cells + 1, state, buffers, group, oneGroup);
-        scatter.arguments(
-                        buffers.found,
-                        buffers.foundOwner,
-                        now.ownerStart,
-                        state.status,
-                        buffers.byOwner,
-                        buffers.ownerOf)
-                .range(items, group);
+        long items = Math.max(1, 2L * world.circles());
+        Turn now = world.now();
+        Turn before = world.before();
+        DeviceBuffer status = world.state().status;
+        // by the grid, on one level, find has them in order
+        orders = world.config().strategy().pairwise() || world.levels().count > 1;
+        order.arguments(now.memory, world.buffers().kicked, now.listStart, status, world.circles(), now.other)
+                .range(items, world.group());
         match.arguments(
-                        buffers.byOwner,
-                        buffers.ownerOf,
-                        now.ownerStart,
-                        state.status,
-                        before.cell,
-                        before.levels,
-                        before.ownerStart,
-                        before.ids,
+                        world.buffers().from,
+                        now.listStart,
+                        now.other,
+                        status,
+                        world.circles(),
+                        before.listStart,
+                        before.other,
                         before.memory,
-                        buffers.pair,
-                        now.ids,
                         now.memory)
-                .range(items, group);
+                .range(items, world.group());
     }
 
     void run() {
-        scan.run();
-        scatter.launch();
+        if (orders) {
+            order.launch();
+        }
         match.launch();
     }
 }

@@ -4,13 +4,13 @@ import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Status;
+import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
-import java.nio.IntBuffer;
 
 /** The stages of one world of small steps on an OpenCL device. Calls queue up, in order. */
 final class OpenClSmallStages implements SmallStages {
@@ -23,17 +23,20 @@ final class OpenClSmallStages implements SmallStages {
     private final FloatBuffer numbers;
     private final int group;
     private final int oneGroup;
-    private IntBuffer pairs = IntBuffer.allocate(0);
     private Boolean wide;
     private Program program;
     private Kernel load;
     private Kernel rescale;
+    private Stats stats;
     private Levels levels;
     private Substeps substeps;
     /** Detections queued, and those known to be done. */
     private long queued;
 
     private long done;
+    /** Circles that have a place. */
+    private int placed;
+
     private boolean closed;
 
     OpenClSmallStages(OpenClDevice device, WorldConfig config) {
@@ -47,7 +50,6 @@ final class OpenClSmallStages implements SmallStages {
         try {
             state = new State(session);
             buffers = new SmallBuffers(session);
-            buffers.rule.ensure(4L * Substeps.NUMBERS);
             tables = config.strategy().pairwise() ? new PairTables(session, config) : null;
             compile(false);
         } catch (RuntimeException e) {
@@ -69,6 +71,7 @@ final class OpenClSmallStages implements SmallStages {
         }
         load = new Kernel(session, program, "c2d_load");
         rescale = new Kernel(session, program, "c2d_rescale");
+        stats = new Stats(session, program, config, group);
         wide = wanted;
         if (old != null) {
             old.close();
@@ -83,18 +86,14 @@ final class OpenClSmallStages implements SmallStages {
         if (levels == null || !levels.same(newLevels)) {
             buffers.ensureCircles(newLevels, circle.capacity() / 4);
             buffers.ensureContacts((long) Tuning.CONTACTS_PER_CIRCLE * circles + Tuning.FIRST_CONTACTS);
-            buffers.levelOf.fill(4L * Math.max(1, circles), memory -> {
-                for (int i = 0; i < circles; i++) {
-                    memory.putInt(newLevels.levelOf(circle.get(4 * i + 2)));
-                }
-            });
             levels = newLevels;
             unbind();
         }
         Turn last = last();
-        load.arguments(state.circle, state.velocities, buffers.kick, circles, last.body, last.id)
+        load.arguments(state.circle, state.velocities, placed, circles, last.body, last.id, last.listStart)
                 .range(circles, group)
                 .launch();
+        placed = circles;
     }
 
     private void unbind() {
@@ -126,14 +125,7 @@ final class OpenClSmallStages implements SmallStages {
         buffers.rule.write(numbers.put(0, now.numbers()), 4L * Substeps.NUMBERS);
         if (now.rescales()) {
             Turn last = last();
-            rescale.arguments(
-                            last.body,
-                            buffers.walls,
-                            last.memory,
-                            last.ownerStart,
-                            last.cells,
-                            state.circles,
-                            buffers.rule)
+            rescale.arguments(last.body, buffers.walls, last.memory, last.listStart, state.circles, buffers.rule)
                     .range(Math.max(1, state.circles), group)
                     .launch();
         }
@@ -155,11 +147,7 @@ final class OpenClSmallStages implements SmallStages {
     private void bind(int index) {
         Turn now = buffers.turns[index];
         Turn before = buffers.turns[1 - index];
-        if (now.ready(levels)) {
-            // the other turn reads what this one writes, and some of that is now elsewhere
-            kernels[1 - index].bound = false;
-        }
-        kernels[index].bind(config, state, buffers, now, before, levels, group, oneGroup);
+        kernels[index].bind(new SmallWorld(config, state, buffers, now, before, levels, group, oneGroup));
     }
 
     @Override
@@ -200,16 +188,8 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void contacts(int from, int count, IntBuffer to) {
-        if (pairs.capacity() < 2 * count) {
-            pairs = ByteBuffer.allocateDirect(8 * count)
-                    .order(ByteOrder.nativeOrder())
-                    .asIntBuffer();
-        }
-        last().ids.read(8L * from, pairs, 8L * count);
-        for (int k = 0; k < count; k++) {
-            to.put(4 * k, pairs.get(2 * k)).put(4 * k + 1, pairs.get(2 * k + 1));
-        }
+    public StepSums sums() {
+        return stats.ofLists(state, last());
     }
 
     @Override

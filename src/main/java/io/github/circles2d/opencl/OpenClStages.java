@@ -4,6 +4,7 @@ import io.github.circles2d.pipeline.CellGrid;
 import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.Status;
+import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.FloatBuffer;
@@ -28,6 +29,8 @@ final class OpenClStages implements Stages {
     private Near near;
     private Colour colour;
     private Resolve resolve;
+    private Stats stats;
+    private int found;
     private CellGrid cells;
     private boolean closed;
 
@@ -69,7 +72,9 @@ final class OpenClStages implements Stages {
                         Program.file("contact.cl"),
                         Program.file("colour.cl"),
                         Program.file("resolve.cl"),
-                        Program.file("near.cl")));
+                        Program.file("near.cl"),
+                        Program.file("stats.cl"),
+                        Program.file("stats_found.cl")));
         // kernels of the old program go with the session; a world crosses this line once
         update = new Update(session, program);
         if (config.strategy().pairwise()) {
@@ -79,6 +84,7 @@ final class OpenClStages implements Stages {
         }
         colour = new Colour(session, program);
         resolve = new Resolve(session, program);
+        stats = new Stats(session, program, config, group);
         wide = wanted;
         if (old != null) {
             old.close();
@@ -154,7 +160,9 @@ final class OpenClStages implements Stages {
 
     @Override
     public Status await() {
-        return state.await();
+        Status status = state.await();
+        found = (int) status.contacts();
+        return status;
     }
 
     @Override
@@ -162,6 +170,11 @@ final class OpenClStages implements Stages {
         contacts.makeRoom(needed);
         state.clearStatus();
         bind();
+    }
+
+    @Override
+    public StepSums sums() {
+        return stats.ofFound(state, contacts.found, found);
     }
 
     @Override

@@ -14,17 +14,15 @@ final class Scan {
         add = new Kernel(session, program, "c2d_scan_add");
     }
 
-    void bind(DeviceBuffer values, int count, State state, SmallBuffers buffers, int group, int oneGroup) {
-        parts.range((count + Tuning.SCAN - 1L) / Tuning.SCAN, group)
-                .arguments(values, count, buffers.partSums, state.status, new Kernel.Local(4L * parts.group()));
-        sums.range(1, oneGroup)
-                .arguments(
-                        buffers.partSums,
-                        (int) parts.groups(),
-                        state.status,
-                        buffers.capacity(),
-                        new Kernel.Local(4L * sums.group()));
-        add.range(count, group).arguments(values, count, buffers.partSums, state.status, Tuning.SCAN * parts.group());
+    /** @param capacity of contacts, where the values are the lengths of their lists; else -1 */
+    void bind(SmallWorld world, DeviceBuffer values, int count, int capacity) {
+        DeviceBuffer status = world.state().status;
+        DeviceBuffer partSums = world.buffers().partSums;
+        parts.range((count + Tuning.SCAN - 1L) / Tuning.SCAN, world.group())
+                .arguments(values, count, partSums, status, new Kernel.Local(4L * parts.group()));
+        sums.range(1, world.oneGroup())
+                .arguments(partSums, (int) parts.groups(), status, capacity, new Kernel.Local(4L * sums.group()));
+        add.range(count, world.group()).arguments(values, count, partSums, status, Tuning.SCAN * parts.group());
     }
 
     void run() {

@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.util.ArrayList;
@@ -36,7 +35,8 @@ final class SmallKernels {
                     "index_" + config.strategy().name() + ".cl",
                     config.strategy().kernelSource()));
         }
-        for (String file : List.of("detect", "small", "scan", "grid", "find", "match", "integrate", "solve")) {
+        for (String file : List.of(
+                "detect", "small", "scan", "grid", "find", "match", "integrate", "solve", "stats", "stats_lists")) {
             sources.add(Program.file(file + ".cl"));
         }
         return Program.build(
@@ -45,20 +45,12 @@ final class SmallKernels {
                 sources);
     }
 
-    void bind(
-            WorldConfig config,
-            State state,
-            SmallBuffers buffers,
-            Turn now,
-            Turn before,
-            Levels levels,
-            int group,
-            int oneGroup) {
-        grid.bind(config, state, buffers, now, before, levels, group, oneGroup);
-        find.bind(state, buffers, now, levels, group);
-        match.bind(state, buffers, now, before, levels, group, oneGroup);
-        integrate.bind(state, buffers, now, group);
-        solve.bind(config, state, buffers, now, levels, group, oneGroup);
+    void bind(SmallWorld world) {
+        grid.bind(world);
+        find.bind(world);
+        match.bind(world);
+        integrate.bind(world);
+        solve.bind(world);
         bound = true;
     }
 }

@@ -2,7 +2,6 @@ package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Tuning;
-import io.github.circles2d.pipeline.WorldConfig;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -21,50 +20,58 @@ final class Solve {
         narrow = new Kernel(session, program, "c2d_solve_narrow");
     }
 
-    void bind(WorldConfig config, State state, SmallBuffers buffers, Turn now, Levels levels, int group, int oneGroup) {
-        int wide = config.smallWorld() > 0 ? wideLevels(levels) : levels.count;
-        launches = Levels.COLOURS * wide;
+    void bind(SmallWorld world) {
+        SmallBuffers buffers = world.buffers();
+        Turn now = world.now();
+        Levels levels = world.levels();
+        Object[] known = {
+            now.body,
+            now.id,
+            buffers.kicked,
+            now.listStart,
+            now.other,
+            now.memory,
+            buffers.bucketStart,
+            world.state().status,
+            buffers.levels,
+            buffers.rule
+        };
+        int wide = world.config().smallWorld() > 0 ? wideLevels(levels) : levels.count;
+        launches = 0;
         narrows = wide < levels.count;
-        while (colours.size() < launches) {
-            colours.add(new Kernel(session, program, "c2d_solve"));
+        for (int number = 0; number < wide; number++) {
+            int rows = Levels.rows(number);
+            for (int colour = 0; colour < 3 * rows; colour++) {
+                int x = colour % 3;
+                int y = colour / 3;
+                int across = across(levels, number, x);
+                int buckets = across * up(levels, number, y);
+                if (launches == colours.size()) {
+                    colours.add(new Kernel(session, program, "c2d_solve"));
+                }
+                colours.get(launches++)
+                        .arguments(known, number, x, y, rows, across, buckets)
+                        .range(buckets, world.group());
+            }
         }
-        for (int k = 0; k < launches; k++) {
-            int at = k / Levels.COLOURS * Levels.INTS;
-            int owners = levels.table[at + Levels.OWNERS];
-            int first = levels.table[at + Levels.BASE] + k % Levels.COLOURS * owners;
-            colours.get(k)
-                    .arguments(
-                            now.body,
-                            buffers.kicked,
-                            buffers.pair,
-                            now.ids,
-                            now.memory,
-                            now.ownerStart,
-                            state.status,
-                            buffers.rule,
-                            first,
-                            owners)
-                    .range(owners, group);
-        }
-        narrow.arguments(
-                        now.body,
-                        buffers.kicked,
-                        buffers.pair,
-                        now.ids,
-                        now.memory,
-                        now.ownerStart,
-                        state.status,
-                        buffers.rule,
-                        now.levels,
-                        wide,
-                        levels.count)
-                .range(1, oneGroup);
+        narrow.arguments(known, wide, levels.count).range(1, world.oneGroup());
+    }
+
+    /** Buckets of one colour in a row. */
+    private static int across(Levels levels, int number, int x) {
+        return (levels.table[Levels.at(number) + Levels.WIDTH] - x + 2) / 3;
+    }
+
+    /** Rows with buckets of one colour. */
+    private static int up(Levels levels, int number, int y) {
+        int rows = Levels.rows(number);
+        return (levels.table[Levels.at(number) + Levels.HEIGHT] - y + rows - 1) / rows;
     }
 
     /** Levels up to the last that is worth launches of its own. */
     private static int wideLevels(Levels levels) {
         int wide = levels.count;
-        while (wide > 0 && levels.table[Levels.INTS * (wide - 1) + Levels.OWNERS] <= Tuning.NARROW) {
+        while (wide > 0 && across(levels, wide - 1, 0) * up(levels, wide - 1, 0) <= Tuning.NARROW) {
             wide--;
         }
         return wide;

@@ -8,18 +8,21 @@ import java.util.Arrays;
  *
  * <p>The cell of a position at level k is its finest cell shifted right by k, so that a circle has exactly one cell at
  * every level. A level with many more cells than circles is folded into a torus of buckets, sheared, so that cells near
- * each other never share one; columns are then a multiple of 3 and rows of 2, and cells of one colour stay apart.
+ * each other never share one; columns are then a multiple of 3 and rows of 6, and cells of one colour stay apart.
  *
- * <p>Circles are kept by bucket, row by row. Contacts are kept by owner, colour by colour: those of the buckets whose x mod
- * 3 and y mod 2 agree lie in a row. Both count from the {@link #BASE} of their level. Twin of the functions of {@code
- * kernels/small.cl}.
+ * <p>Circles are kept by bucket, row by row, from the {@link #BASE} of their level on. A bucket's contacts, those in the
+ * lists of its circles, touch circles of neighbouring cells: at the finest level of the same row and the next, at others, whose
+ * lists have the smaller circles around, of the row before too. Buckets whose x mod 3 and y mod {@link #rows} agree share no
+ * circle. Twin of the functions of {@code kernels/small.cl}.
  */
 public final class Levels {
-    /** Owners of one colour share no circle: x mod 3 and y mod 2 agree. */
-    public static final int COLOURS = 6;
-
-    /** Numbers of one level in {@link #table}: an int8 in the kernels. */
+    /** Numbers of one level in {@link #table}, and of what is for all of them: an int8 in the kernels. */
     public static final int INTS = 8;
+
+    /** Of all: how many levels; the last of the finest columns and rows; finest cells along one world unit, as bits. */
+    private static final int LEVELS = 0;
+
+    private static final int PER_UNIT = 3;
 
     /** How far the number of a finest cell is shifted to give that of this level's. */
     public static final int SHIFT = 0;
@@ -33,23 +36,22 @@ public final class Levels {
     public static final int HEIGHT = 4;
     /** Rows that a folded level is moved by from one turn to the next. */
     public static final int SHEAR = 5;
-    /** First bucket, and first owner. */
+    /** First bucket. */
     public static final int BASE = 6;
-    /** Owners of one colour. */
-    public static final int OWNERS = 7;
+    /** Largest radius, as bits. */
+    private static final int LARGEST = 7;
 
-    /** The levels, finest first, {@link #INTS} numbers each. */
+    /** What is for all of the levels, then the levels, finest first, {@link #INTS} numbers each: {@link #at}. */
     public final int[] table;
     /** Number of levels. */
     public final int count;
-    /** Buckets of all levels, and owners. */
+    /** Buckets of all levels. */
     public final int cells;
-    /** Finest cells along one world unit. */
-    public final float perUnit;
     /** Number of circles. */
     public final int circles;
 
     private final float finest;
+    private final float perUnit;
 
     private Levels(WorldConfig config, Population population) {
         circles = population.circles();
@@ -64,22 +66,38 @@ public final class Levels {
         }
         finest = size;
         perUnit = 1 / size;
-        boolean[] occupied = new boolean[levels];
-        population.radii(radius -> occupied[Math.min(levels(radius), occupied.length - 1)] = true);
-        int[] made = new int[INTS * levels];
-        int at = 0;
+        float[] largest = new float[levels];
+        population.radii(radius -> {
+            int level = Math.min(levels(radius), largest.length - 1);
+            largest[level] = Math.max(largest[level], radius);
+        });
+        int[] made = new int[INTS * (levels + 1)];
+        made[LAST_X] = (int) (width * perUnit);
+        made[LAST_Y] = (int) (height * perUnit);
+        made[PER_UNIT] = Float.floatToRawIntBits(perUnit);
         int base = 0;
         for (int shift = 0; shift < levels; shift++) {
-            if (occupied[shift]) {
-                level(made, at, shift, (int) (width * perUnit) >> shift, (int) (height * perUnit) >> shift);
+            if (largest[shift] > 0) {
+                int at = at(made[LEVELS]++);
+                level(made, at, shift, made[LAST_X] >> shift, made[LAST_Y] >> shift);
                 made[at + BASE] = base;
-                base += COLOURS * made[at + OWNERS];
-                at += INTS;
+                made[at + LARGEST] = Float.floatToRawIntBits(largest[shift]);
+                base += made[at + WIDTH] * made[at + HEIGHT];
             }
         }
-        table = Arrays.copyOf(made, at);
-        count = at / INTS;
+        count = made[LEVELS];
+        table = Arrays.copyOf(made, at(count));
         cells = base;
+    }
+
+    /** Where a level begins in {@link #table}. */
+    public static int at(int level) {
+        return INTS * (level + 1);
+    }
+
+    /** How many rows apart buckets of one colour are. */
+    public static int rows(int level) {
+        return level == 0 ? 2 : 3;
     }
 
     /** The levels for the circles of a world. */
@@ -103,9 +121,8 @@ public final class Levels {
 
     /** Number of the level of a circle among those that exist. */
     public int levelOf(float radius) {
-        int level = levels(radius);
         int number = 0;
-        while (number < count - 1 && table[INTS * number + SHIFT] < level) {
+        while (number < count - 1 && radius > Float.intBitsToFloat(table[at(number) + LARGEST])) {
             number++;
         }
         return number;
@@ -122,63 +139,52 @@ public final class Levels {
                 across = Math.min(columns, wanted / up);
             }
             columns = (Math.max(6, (int) across) + 2) / 3 * 3;
-            rows = (Math.max(6, (int) up) + 1) / 2 * 2;
-            made[at + SHEAR] = 2 * (int) (Tuning.FOLD_SHIFT * rows);
+            rows = (Math.max(6, (int) up) + 5) / 6 * 6;
+            made[at + SHEAR] = 6 * (int) (Tuning.FOLD_SHIFT * rows / 6);
         }
         made[at + SHIFT] = shift;
         made[at + LAST_X] = lastX;
         made[at + LAST_Y] = lastY;
         made[at + WIDTH] = (int) columns;
         made[at + HEIGHT] = (int) rows;
-        made[at + OWNERS] = (int) ((columns + 2) / 3 * ((rows + 1) / 2));
     }
 
-    /** Column of buckets of a column of cells. */
-    public static int bucketX(int[] table, int at, int x) {
-        return x % table[at + WIDTH];
-    }
-
-    /** Row of buckets of a cell. */
-    public static int bucketY(int[] table, int at, int x, int y) {
-        int width = table[at + WIDTH];
-        int height = table[at + HEIGHT];
-        return x < width && y < height ? y : (int) ((y + (long) (x / width) * table[at + SHEAR]) % height);
+    /** Whether cells of a level, which begins at {@code at}, share buckets. */
+    public boolean folded(int at) {
+        return table[at + LAST_X] >= table[at + WIDTH] || table[at + LAST_Y] >= table[at + HEIGHT];
     }
 
     /** The bucket of a cell of the level that begins at {@code at}. */
     public int bucket(int at, int x, int y) {
-        return table[at + BASE] + bucketY(table, at, x, y) * table[at + WIDTH] + bucketX(table, at, x);
+        int width = table[at + WIDTH];
+        int height = table[at + HEIGHT];
+        int column = x;
+        int row = y;
+        if (x >= width || y >= height) {
+            column = x % width;
+            row = (int) ((y + (long) (x / width) * table[at + SHEAR]) % height);
+        }
+        return table[at + BASE] + row * width + column;
     }
 
-    /** The owner that a cell of the level that begins at {@code at} is. */
-    public int owner(int at, int x, int y) {
-        int column = bucketX(table, at, x);
-        int row = bucketY(table, at, x, y);
-        return table[at + BASE]
-                + (column % 3 + 3 * (row % 2)) * table[at + OWNERS]
-                + row / 2 * ((table[at + WIDTH] + 2) / 3)
-                + column / 3;
+    /** The finest column of a coordinate; whatever lies outside, or nowhere, counts to the nearest. */
+    public int column(float x, float min) {
+        return finest(x, min, table[LAST_X]);
     }
 
-    /** The finest column or row of a coordinate; whatever lies outside, or nowhere, counts to the nearest. */
-    public int finest(float coordinate, float min, int last) {
+    /** The finest row of a coordinate, as {@link #column}. */
+    public int row(float y, float min) {
+        return finest(y, min, table[LAST_Y]);
+    }
+
+    private int finest(float coordinate, float min, int last) {
         float cell = (coordinate - min) * perUnit;
         float low = cell > 0 ? cell : 0;
         return (int) (low < last ? low : last);
     }
 
-    /** Last finest column. */
-    public int lastColumn(WorldConfig config) {
-        return (int) (((double) config.maxX() - config.minX()) * perUnit);
-    }
-
-    /** Last finest row. */
-    public int lastRow(WorldConfig config) {
-        return (int) (((double) config.maxY() - config.minY()) * perUnit);
-    }
-
     /** Whether two have the same cells. */
     public boolean same(Levels other) {
-        return other.circles == circles && other.perUnit == perUnit && Arrays.equals(other.table, table);
+        return other.circles == circles && Arrays.equals(other.table, table);
     }
 }

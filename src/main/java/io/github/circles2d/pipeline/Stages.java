@@ -1,6 +1,7 @@
 package io.github.circles2d.pipeline;
 
 import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
 
 /**
  * The stages of a step on one device, and the state they work on. {@link Pipeline} calls them in order; calls may
@@ -27,4 +28,12 @@ public interface Stages extends DeviceState {
 
     /** Moves circles apart and exchanges impulses. */
     void resolve();
+
+    /**
+     * Reads contacts {@code from .. from + count - 1} of the last step, in the order they were found in. Waits.
+     *
+     * @param to an int4 a contact: the numbers i < j of its circles, and the bits of the vector that parts them, from i
+     *     to j, world units; direct, native order, written from 0
+     */
+    void contacts(int from, int count, IntBuffer to);
 }

@@ -146,6 +146,9 @@ public final class Tuning {
     /** Largest impulse kept for the next substep: finite, so that two of them never make a NaN. */
     public static final float IMPULSE_MOST = 1e15f;
 
+    /** Share of its radius that the centre of a circle always keeps from the walls. 0.25 to 1: 1 leaves walls no give. */
+    public static final float INSIDE = 0.5f;
+
     /** How far the reach of a circle goes beyond its radius, radii: cells are 2 r (1 + this) wide. 0.25 to 1. */
     public static final float REACH = 0.5f;
 
@@ -169,7 +172,7 @@ public final class Tuning {
     /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64. */
     public static final int SCAN = 8;
 
-    /** Owners of one colour up to which the levels from there on are solved by one work-group. 0 (never) to 4,096. */
+    /** Buckets of one colour up to which the levels from there on are solved by one work-group. 0 (never) to 4,096. */
     public static final int NARROW = 1024;
 
     /** Fewest circles or contacts that plain Java gives to another thread: waking one takes some 20 us. 500 to 10,000. */

@@ -35,6 +35,11 @@ public record WorldConfig(
         return store == CollisionStore.TRIANGLE && strategy.pairwise() && solver == Solver.IMPULSE;
     }
 
+    /** Share of its radius that the centre of a circle keeps from the walls; less is outside. */
+    public float inside() {
+        return solver == Solver.IMPULSE ? 1 : Tuning.INSIDE;
+    }
+
     /** What gravity adds to a velocity in one step, world units a second. */
     public float velocityGainX() {
         return gravityX * timeStep;
