@@ -30,6 +30,7 @@
 #define C2D_UNEVEN rule[20]
 #define C2D_IMPULSE_MOST rule[21]
 #define C2D_ALWAYS_NEAR rule[22]
+#define C2D_TURN rule[23]
 
 // `levels`, int8s: first one for all of the cells, then one a level, finest first.
 #define C2D_LEVELS s0

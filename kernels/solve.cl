@@ -1,28 +1,54 @@
 // One pass over the contacts: Solver.SMALL_STEPS. Twin of host.Solve.
 
-// Circle i and the contact k with a circle j; what it changes of i stays in the hands of the caller.
-static float8 c2d_visit(float8 a, int i, int k, __global float8 *body, __global const int *id,
-                        __global const float2 *kicked, __global const int *other, __global float2 *memory,
-                        __global const float *rule) {
-    const int j = other[k];
-    float8 b = body[j];
+// The numbers that a visit needs: read once, for the compiler cannot know that circles are not stored over them.
+typedef struct {
+    float time;
+    float perTime;
+    float bounceFrom;
+    float restitution;
+    float push;
+    float pushMost;
+    float slop;
+    float deep;
+    float extrapolate;
+    float extrapolateUneven;
+    float uneven;
+    float impulseMost;
+    float turn;
+} c2d_numbers;
+
+static c2d_numbers c2d_numbers_of(__global const float *rule) {
+    const c2d_numbers n = {C2D_TIME, C2D_PER_TIME,    C2D_BOUNCE_FROM,        C2D_RESTITUTION, C2D_PUSH,
+                           C2D_PUSH_MOST, C2D_SLOP,    C2D_DEEP,               C2D_EXTRAPOLATE, C2D_EXTRAPOLATE_UNEVEN,
+                           C2D_UNEVEN,    C2D_IMPULSE_MOST, C2D_TURN};
+    return n;
+}
+
+// Contact k of circle i, `a`, with circle j, `b`, and what the contact remembers. Stores all but the circle of the list, whose
+// changes it returns.
+static float8 c2d_visit(float8 a, float8 b, float2 remembered, int i, int j, int k, __global float8 *body,
+                        __global const int *id, __global const float2 *kicked, __global float2 *memory,
+                        c2d_numbers n) {
     const float dx = a.s0 - b.s0;
     const float dy = a.s1 - b.s1;
     const float distance = sqrt(dx * dx + dy * dy);
+    const float perDistance = 1.0f / distance;
     // the normal points to the circle of the list
-    const float2 normal = distance > 0.0f ? (float2)(dx / distance, dy / distance) : c2d_direction(id[i], id[j]);
+    const float2 normal = distance > 0.0f ? (float2)(dx * perDistance, dy * perDistance) : c2d_direction(id[i], id[j]);
     const float nx = normal.x;
     const float ny = normal.y;
     const float wa = a.s7;
     const float wb = b.s7;
-    const float w = wa + wb;
+    const float mass = 1.0f / (wa + wb);
     const float smaller = a.s6 < b.s6 ? a.s6 : b.s6;
     const float larger = a.s6 < b.s6 ? b.s6 : a.s6;
     const float gap = distance - (a.s6 + b.s6);
-    const float speed = (a.s2 - b.s2) * nx + (a.s3 - b.s3) * ny;
-    const float come = memory[k].x;
-    const float last = memory[k].y;
-    float impulse = come - (speed + c2d_positive(gap) * C2D_PER_TIME) / w;
+    const float dvx = a.s2 - b.s2;
+    const float dvy = a.s3 - b.s3;
+    const float speed = dvx * nx + dvy * ny;
+    const float come = remembered.x;
+    const float last = remembered.y;
+    float impulse = come - (speed + c2d_positive(gap) * n.perTime) * mass;
     bool bounced = false;
     if (!(impulse > 0.0f)) {
         if (come == 0.0f && gap >= 0.0f) {
@@ -38,39 +64,28 @@ static float8 c2d_visit(float8 a, int i, int k, __global float8 *body, __global 
         const float2 ub = kicked[j];
         const float before = speed - ((ua.x - ub.x) * nx + (ua.y - ub.y) * ny);
         const bool carried = ua.x != 0.0f || ua.y != 0.0f || ub.x != 0.0f || ub.y != 0.0f;
-        if (before < -C2D_BOUNCE_FROM && !(last < 0.0f && carried)) {
+        if (before < -n.bounceFrom && !(last < 0.0f && carried)) {
             bounced = true;
-            impulse = c2d_positive(-(speed + C2D_RESTITUTION * before) / w);
+            impulse = c2d_positive(-(speed + n.restitution * before) * mass);
         }
     }
-    const float push = C2D_PUSH * c2d_positive(-gap - C2D_SLOP * smaller);
-    const float most = C2D_PUSH_MOST * smaller;
-    const float share = (push < most ? push : most) / w;
-    const float wayA = wa * share;
-    const float wayB = wb * share;
-    const float gainA = wa * (impulse - come);
-    const float gainB = wb * (impulse - come);
-    a.s0 += wayA * nx;
-    a.s1 += wayA * ny;
-    a.s2 += gainA * nx;
-    a.s3 += gainA * ny;
-    b.s0 -= wayB * nx;
-    b.s1 -= wayB * ny;
-    b.s2 -= gainB * nx;
-    b.s3 -= gainB * ny;
+    const float push = n.push * c2d_positive(-gap - n.slop * smaller);
+    const float most = n.pushMost * smaller;
+    const float share = (push < most ? push : most) * mass;
+    const float gain = impulse - come;
+    const float along = dvy * nx - dvx * ny;
+    const bool turns = fabs(along) * n.time > n.turn * distance;
     float next = 0.0f;
-    if (!bounced && impulse > 0.0f) {
-        const float shallow = larger > C2D_UNEVEN * smaller ? C2D_EXTRAPOLATE_UNEVEN : C2D_EXTRAPOLATE;
-        const float beta = -gap > C2D_DEEP * smaller ? 0.0f : shallow;
-        next = c2d_extrapolated(impulse, last, beta, C2D_IMPULSE_MOST);
-        a.s4 += wa * next * nx;
-        a.s5 += wa * next * ny;
-        b.s4 -= wb * next * nx;
-        b.s5 -= wb * next * ny;
+    if (!bounced && !turns && impulse > 0.0f) {
+        const float shallow = larger > n.uneven * smaller ? n.extrapolateUneven : n.extrapolate;
+        const float beta = -gap > n.deep * smaller ? 0.0f : shallow;
+        next = c2d_extrapolated(impulse, last, beta, n.impulseMost);
     }
-    body[j] = b;
+    body[j] = (float8)(b.s0 - wb * share * nx, b.s1 - wb * share * ny, b.s2 - wb * gain * nx, b.s3 - wb * gain * ny,
+                       b.s4 - wb * next * nx, b.s5 - wb * next * ny, b.s6, b.s7);
     memory[k] = (float2)(next, bounced ? -1.0f : impulse);
-    return a;
+    return (float8)(a.s0 + wa * share * nx, a.s1 + wa * share * ny, a.s2 + wa * gain * nx, a.s3 + wa * gain * ny,
+                    a.s4 + wa * next * nx, a.s5 + wa * next * ny, a.s6, a.s7);
 }
 
 #define C2D_SOLVE                                                                                                      \
@@ -79,24 +94,49 @@ static float8 c2d_visit(float8 a, int i, int k, __global float8 *body, __global 
         __global const uint *status, __global const int8 *levels, __global const float *rule
 #define C2D_SOLVE_HERE body, id, kicked, listStart, other, memory, bucketStart, status, levels, rule
 
-// The lists of the circles of one bucket, one after the other.
-static void c2d_solve_bucket(int bucket, C2D_SOLVE) {
+// The lists of the circles of one bucket, one after the other. Reads the next contact ahead: within a list no two have a
+// circle in common but that of the list.
+static void c2d_solve_bucket(int bucket, c2d_numbers numbers, C2D_SOLVE) {
     int i = bucketStart[bucket];
-    const int last = bucketStart[bucket + 1];
     int k = listStart[i];
-    const int end = listStart[last];
-    while (k < end) {
-        int listEnd = listStart[i + 1];
-        while (listEnd == k) {
-            i++;
-            listEnd = listStart[i + 1];
-        }
-        float8 a = body[i];
-        for (; k < listEnd; k++) {
-            a = c2d_visit(a, i, k, body, id, kicked, other, memory, rule);
-        }
-        body[i] = a;
+    const int end = listStart[bucketStart[bucket + 1]];
+    if (k >= end) {
+        return;
+    }
+    int listEnd = listStart[i + 1];
+    while (listEnd == k) {
         i++;
+        listEnd = listStart[i + 1];
+    }
+    int j = other[k];
+    float2 remembered = memory[k];
+    float8 a = body[i];
+    float8 b = body[j];
+    for (;;) {
+        const int ahead = min(k + 1, end - 1);
+        const int nextJ = other[ahead];
+        const float2 nextRemembered = memory[ahead];
+        float8 nextB = b;
+        if (k + 1 < listEnd) {
+            nextB = body[nextJ];
+        }
+        a = c2d_visit(a, b, remembered, i, j, k, body, id, kicked, memory, numbers);
+        k++;
+        if (k == listEnd) {
+            body[i] = a;
+            if (k == end) {
+                return;
+            }
+            do {
+                i++;
+                listEnd = listStart[i + 1];
+            } while (listEnd == k);
+            a = body[i];
+            nextB = body[nextJ];
+        }
+        j = nextJ;
+        b = nextB;
+        remembered = nextRemembered;
     }
 }
 
@@ -109,13 +149,15 @@ __kernel void c2d_solve(C2D_SOLVE, int number, int x, int y, int rows, int acros
     }
     const int8 level = levels[1 + number];
     const int row = y + rows * (item / across);
-    c2d_solve_bucket(level.C2D_BASE + row * level.C2D_WIDTH + x + 3 * (item % across), C2D_SOLVE_HERE);
+    c2d_solve_bucket(level.C2D_BASE + row * level.C2D_WIDTH + x + 3 * (item % across), c2d_numbers_of(rule),
+                     C2D_SOLVE_HERE);
 }
 
 // The levels from `firstLevel` on, all of their colours, in one launch of one work-group: where buckets are few, launches
 // would cost more than the work.
 __kernel void c2d_solve_narrow(C2D_SOLVE, int firstLevel, int levelCount) {
     const bool stalled = status[C2D_STALLED] != 0u;
+    const c2d_numbers numbers = c2d_numbers_of(rule);
     for (int number = firstLevel; number < levelCount; number++) {
         const int8 level = levels[1 + number];
         const int rows = number == 0 ? 2 : 3;
@@ -126,7 +168,7 @@ __kernel void c2d_solve_narrow(C2D_SOLVE, int firstLevel, int levelCount) {
             const int buckets = stalled ? 0 : across * ((level.C2D_HEIGHT - y + rows - 1) / rows);
             for (int item = (int)get_local_id(0); item < buckets; item += (int)get_local_size(0)) {
                 const int row = y + rows * (item / across);
-                c2d_solve_bucket(level.C2D_BASE + row * level.C2D_WIDTH + x + 3 * (item % across), C2D_SOLVE_HERE);
+                c2d_solve_bucket(level.C2D_BASE + row * level.C2D_WIDTH + x + 3 * (item % across), numbers, C2D_SOLVE_HERE);
             }
             barrier(CLK_GLOBAL_MEM_FENCE);
         }

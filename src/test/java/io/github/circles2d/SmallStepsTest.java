@@ -102,6 +102,29 @@ class SmallStepsTest {
         }
     }
 
+    /** An impulse that is repeated along a normal that has turned would double the energy again and again. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 4})
+    void farTooFewSubstepsGainNoEnergy(int substeps) {
+        try (Circles2D world = Scene.PILE.build(builder().substeps(substeps), 5000)) {
+            double before = energy(world);
+            for (int round = 0; round < 8; round++) {
+                world.step(15);
+                assertTrue(energy(world) <= before, "round " + round + ": " + energy(world) + " of " + before);
+            }
+        }
+    }
+
+    /** Kinetic, and potential above the floor. */
+    private static double energy(Circles2D world) {
+        double energy = world.stats().kineticEnergy();
+        Snapshot now = world.snapshot();
+        for (int i = 0; i < now.count(); i++) {
+            energy += now.mass(i) * now.y(i);
+        }
+        return energy;
+    }
+
     @Test
     void aHeapOnOnePointComesApart() {
         try (Circles2D world = builder().build()) {

@@ -97,11 +97,12 @@ final class Solve {
         float dx = body[a] - body[b];
         float dy = body[a + 1] - body[b + 1];
         float distance = (float) Math.sqrt(dx * dx + dy * dy);
+        float perDistance = 1 / distance;
         float nx;
         float ny;
         if (distance > 0) {
-            nx = dx / distance;
-            ny = dy / distance;
+            nx = dx * perDistance;
+            ny = dy * perDistance;
         } else {
             nx = Detect.directionX(state.id[i], state.id[j]);
             ny = Detect.directionY(state.id[i], state.id[j]);
@@ -110,14 +111,16 @@ final class Solve {
         float rb = body[b + SmallState.RADIUS];
         float wa = body[a + SmallState.INVERSE_MASS];
         float wb = body[b + SmallState.INVERSE_MASS];
-        float w = wa + wb;
+        float mass = 1 / (wa + wb);
         float smaller = ra < rb ? ra : rb;
         float larger = ra < rb ? rb : ra;
         float gap = distance - (ra + rb);
-        float speed = (body[a + 2] - body[b + 2]) * nx + (body[a + 3] - body[b + 3]) * ny;
+        float dvx = body[a + 2] - body[b + 2];
+        float dvy = body[a + 3] - body[b + 3];
+        float speed = dvx * nx + dvy * ny;
         float come = contacts.memory[2 * k];
         float last = contacts.memory[2 * k + 1];
-        float impulse = come - (speed + (gap > 0 ? gap : 0) * n[Substeps.PER_TIME]) / w;
+        float impulse = come - (speed + (gap > 0 ? gap : 0) * n[Substeps.PER_TIME]) * mass;
         boolean bounced = false;
         if (!(impulse > 0)) {
             if (come == 0 && gap >= 0) {
@@ -135,37 +138,38 @@ final class Solve {
             boolean carried = uax != 0 || uay != 0 || ubx != 0 || uby != 0;
             if (before < -n[Substeps.BOUNCE_FROM] && !(last < 0 && carried)) {
                 bounced = true;
-                float bounce = -(speed + n[Substeps.RESTITUTION] * before) / w;
+                float bounce = -(speed + n[Substeps.RESTITUTION] * before) * mass;
                 impulse = bounce > 0 ? bounce : 0;
             }
         }
         float over = -gap - n[Substeps.SLOP] * smaller;
         float push = n[Substeps.PUSH] * (over > 0 ? over : 0);
         float most = n[Substeps.PUSH_MOST] * smaller;
-        float share = (push < most ? push : most) / w;
-        add(a, wa * share, wa * (impulse - come), nx, ny);
-        add(b, -(wb * share), -(wb * (impulse - come)), nx, ny);
+        float share = (push < most ? push : most) * mass;
+        float gain = impulse - come;
+        float along = dvy * nx - dvx * ny;
+        boolean turns = Math.abs(along) * n[Substeps.TIME] > n[Substeps.TURN] * distance;
         float next = 0;
-        if (!bounced && impulse > 0) {
+        if (!bounced && !turns && impulse > 0) {
             float beta =
                     larger > n[Substeps.UNEVEN] * smaller ? n[Substeps.EXTRAPOLATE_UNEVEN] : n[Substeps.EXTRAPOLATE];
             beta = -gap > n[Substeps.DEEP] * smaller ? 0 : beta;
             next = extrapolated(impulse, last, beta, n[Substeps.IMPULSE_MOST]);
-            body[a + SmallState.KICK_X] += wa * next * nx;
-            body[a + SmallState.KICK_Y] += wa * next * ny;
-            body[b + SmallState.KICK_X] -= wb * next * nx;
-            body[b + SmallState.KICK_Y] -= wb * next * ny;
         }
+        add(a, wa * share, wa * gain, wa * next, nx, ny);
+        add(b, -(wb * share), -(wb * gain), -(wb * next), nx, ny);
         contacts.memory[2 * k] = next;
         contacts.memory[2 * k + 1] = bounced ? -1 : impulse;
     }
 
-    private void add(int b, float way, float gain, float nx, float ny) {
+    private void add(int b, float way, float gain, float next, float nx, float ny) {
         float[] body = state.body;
         body[b] += way * nx;
         body[b + 1] += way * ny;
         body[b + 2] += gain * nx;
         body[b + 3] += gain * ny;
+        body[b + 4] += next * nx;
+        body[b + 5] += next * ny;
     }
 
     /** The impulse to come. */

@@ -39,8 +39,8 @@ final class Stats {
 
     private StepSums ofCircles(State state) {
         if (circles == null) {
-            circles = new Kernel(session, program, "c2d_stats_circles");
             parts = new DeviceBuffer(session, "parts");
+            circles = new Kernel(session, program, "c2d_stats_circles");
         }
         StepSums sums = new StepSums();
         int count = StepSums.parts(state.circles);

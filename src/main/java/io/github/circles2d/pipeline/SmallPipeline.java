@@ -12,7 +12,6 @@ import java.nio.FloatBuffer;
 public final class SmallPipeline implements Stepper {
     private final WorldConfig config;
     private final SmallStages stages;
-    private final float gravity;
     private Population population;
     private float fastest;
     private float before;
@@ -24,7 +23,6 @@ public final class SmallPipeline implements Stepper {
     public SmallPipeline(WorldConfig config, SmallStages stages) {
         this.config = config;
         this.stages = stages;
-        gravity = Substeps.gravity(config);
     }
 
     @Override
@@ -56,8 +54,8 @@ public final class SmallPipeline implements Stepper {
                 stages.integrate(true, !detects);
             }
             if (detects) {
-                float horizon = Math.min(perDetection, substeps.count() - s) * substeps.seconds();
-                stages.detect(horizon, 2 * gravity * horizon * horizon);
+                int listed = Math.min(perDetection, substeps.count() - s);
+                stages.detect(listed * substeps.seconds(), substeps.fall(config, listed));
                 stages.integrate(false, true);
             }
             stages.solve();

@@ -32,9 +32,10 @@ public record Substeps(int count, float seconds, float[] numbers) {
     public static final int UNEVEN = 20;
     public static final int IMPULSE_MOST = 21;
     public static final int ALWAYS_NEAR = 22;
+    public static final int TURN = 23;
 
     /** How many numbers there are. */
-    public static final int NUMBERS = 23;
+    public static final int NUMBERS = 24;
 
     /**
      * A step of {@code count} substeps.
@@ -67,6 +68,7 @@ public record Substeps(int count, float seconds, float[] numbers) {
         n[UNEVEN] = Tuning.UNEVEN;
         n[IMPULSE_MOST] = Tuning.IMPULSE_MOST;
         n[ALWAYS_NEAR] = Tuning.ALWAYS_NEAR;
+        n[TURN] = Tuning.TURN;
         return new Substeps(count, time, n);
     }
 
@@ -107,22 +109,30 @@ public record Substeps(int count, float seconds, float[] numbers) {
     }
 
     /**
-     * Substeps from one detection to the next: as many as the fastest circle needs to use up the reach of a circle,
-     * {@link Tuning#REACH}, gravity included.
+     * Substeps from one detection to the next, in which no two circles from cells that are not neighbours may meet. Cells are
+     * {@link Tuning#REACH} of a radius wider than a circle needs on each side; two circles at most at the highest speed, one
+     * of which falls while the other rests, use that up. Gravity alone should not make neighbours of many.
      *
      * @param fastest highest speed, radii a second
      */
     public int perDetection(WorldConfig config, Population population, float fastest) {
-        float gravity = gravity(config);
-        float min = population.minRadius();
+        float gravity = gravity(config) / population.minRadius();
         int substeps = count;
         while (substeps > 1) {
             float time = substeps * seconds;
-            if ((fastest + gravity * config.timeStep() / min) * time + gravity * time * time / min <= Tuning.REACH) {
+            float fall = 0.5f * gravity * time * time;
+            float most = (2 * fastest + gravity * (config.timeStep() - time)) * time + fall;
+            if (most <= 2 * Tuning.REACH && fall <= Tuning.FALL) {
                 break;
             }
             substeps = (substeps + 1) / 2;
         }
         return substeps;
+    }
+
+    /** How far gravity parts two circles, one of which rests, in some substeps, world units. */
+    public float fall(WorldConfig config, int substeps) {
+        float time = substeps * seconds;
+        return 0.5f * gravity(config) * time * time;
     }
 }

@@ -128,6 +128,12 @@ public final class Tuning {
     /** Overlap, in smaller radii, beyond which nothing is extrapolated: the normal turns too fast. */
     public static final float DEEP = 0.25f;
 
+    /**
+     * How far the normal of a contact may turn in a substep, radians, for its impulse to be worth something in the next. 0.5
+     * to 1.2: an impulse along a normal that has turned feeds energy to the next one.
+     */
+    public static final float TURN = 1f;
+
     /** Share of an overlap that a substep undoes. 0.1 to 0.4. */
     public static final float PUSH = 0.2f;
 
@@ -154,6 +160,9 @@ public final class Tuning {
 
     /** Gap up to which a contact is always listed, smaller radii. 0.05 to 0.2. */
     public static final float ALWAYS_NEAR = 0.1f;
+
+    /** How far a circle may fall, from rest, before contacts are listed again, smallest radii. 0.1 to 1: more list more. */
+    public static final float FALL = 0.25f;
 
     /** Most levels of cells. */
     public static final int LEVELS = 20;
