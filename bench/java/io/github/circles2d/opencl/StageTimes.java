@@ -39,7 +39,7 @@ import org.jocl.cl_kernel;
  *
  * <pre>{@code
  * java -cp target/benchmarks.jar io.github.circles2d.opencl.StageTimes \
- *     DEVICE SCENE CIRCLES STEPS_BEFORE SOLVER SUBSTEPS STRATEGY STORE
+ *     DEVICE SCENE CIRCLES STEPS_BEFORE SOLVER SUBSTEPS STRATEGY STORE [WORK_GROUP]
  * }</pre>
  */
 public final class StageTimes {
@@ -113,7 +113,7 @@ public final class StageTimes {
                 IndexStrategy.named(args[6]),
                 CollisionStore.valueOf(args[7]),
                 Solver.valueOf(args[4]),
-                0,
+                args.length > 8 ? Integer.parseInt(args[8]) : 0,
                 0,
                 Tuning.SMALL_WORLD,
                 Integer.parseInt(args[5]));

@@ -48,7 +48,7 @@ public record Substeps(int count, float seconds, float[] numbers) {
         n[TIME] = time;
         n[PER_TIME] = 1 / time;
         n[BOUNCE_FROM] = Tuning.BOUNCE_FROM * gravity(config) * time;
-        n[PUSH_MOST] = Tuning.PUSH_MOST / count;
+        n[PUSH_MOST] = Tuning.PUSH_MOST;
         n[SLOWED] = Math.max(0, 1 - Tuning.DRAG * time);
         n[GAIN_X] = config.gravityX() * time;
         n[GAIN_Y] = config.gravityY() * time;

@@ -140,8 +140,8 @@ public final class Tuning {
     /** Overlap that is left alone, smaller radii. 0.002 to 0.02. */
     public static final float SLOP = 0.01f;
 
-    /** Most that overlap is undone by in a whole step, smaller radii. */
-    public static final float PUSH_MOST = 1;
+    /** Most that overlap is undone by in a substep, smaller radii. 0.05 to 0.4: with less, circles stay caught in each other. */
+    public static final float PUSH_MOST = 0.2f;
 
     /** Approach below which nothing bounces, in what gravity adds to a velocity in a substep. 2 to 8. */
     public static final float BOUNCE_FROM = 4;
