@@ -8,22 +8,23 @@ typedef struct {
     float kick;
 } c2d_axis;
 
-// A wall, as a contact with something that does not move. `sign` leads inside, `kicked` is the kick in the velocity.
+// A wall, as a contact with something that does not move. `sign` leads inside, `kicked` is the kick in the velocity. `memory`:
+// the impulse to come and the last one.
 static c2d_axis c2d_small_wall(c2d_axis a, float sign, float gap, float radius, float w, float kicked, bool carried,
-                               float gain, __global float *come, __global float *last, __global const float *rule) {
+                               float gain, float2 *memory, __global const float *rule) {
     const float speed = sign * a.velocity;
     if (!(gap < 2.0f * radius || gap + speed * C2D_TIME < 0.0f)) {
         return a;
     }
-    const float was = *come;
-    const float old = *last;
-    float impulse = was - (speed + c2d_positive(gap) * C2D_PER_TIME) / w;
+    const float come = (*memory).x;
+    const float last = (*memory).y;
+    float impulse = come - (speed + c2d_positive(gap) * C2D_PER_TIME) / w;
     bool bounced = false;
     if (!(impulse > 0.0f)) {
         impulse = 0.0f;
-    } else if (was == 0.0f) {
+    } else if (come == 0.0f) {
         const float before = speed - sign * (kicked + gain);
-        if (before < -C2D_BOUNCE_FROM && !(old < 0.0f && carried)) {
+        if (before < -C2D_BOUNCE_FROM && !(last < 0.0f && carried)) {
             bounced = true;
             impulse = c2d_positive(-(speed + C2D_RESTITUTION * before) / w);
         }
@@ -31,26 +32,32 @@ static c2d_axis c2d_small_wall(c2d_axis a, float sign, float gap, float radius, 
     const float push = C2D_PUSH * c2d_positive(-gap - C2D_SLOP * radius);
     const float most = C2D_PUSH_MOST * radius;
     a.position += sign * (push < most ? push : most);
-    a.velocity += sign * (w * (impulse - was));
+    a.velocity += sign * (w * (impulse - come));
     float next = 0.0f;
     if (!bounced && impulse > 0.0f) {
-        next = c2d_extrapolated(impulse, old, C2D_EXTRAPOLATE, C2D_IMPULSE_MOST);
+        next = c2d_extrapolated(impulse, last, C2D_EXTRAPOLATE, C2D_IMPULSE_MOST);
         a.kick += sign * (w * next);
     }
-    *come = next;
-    *last = bounced ? -1.0f : impulse;
+    *memory = (float2)(next, bounced ? -1.0f : impulse);
     return a;
 }
 
-// Both walls of an axis; gaps are those before either moves the circle. Then the way of the substep.
+// Both walls of an axis; gaps are those before either moves the circle. Then the way of the substep. `walls`: what is
+// remembered of the axis, in a circle's order: see small.cl.
 static c2d_axis c2d_small_move(c2d_axis a, int axis, float radius, float w, float kicked, bool carried,
-                               __global float *wall, __global const float *rule) {
+                               __global float2 *walls, __global const float *rule) {
     const float low = a.position - C2D_MIN(axis) - radius;
     const float high = C2D_MAX(axis) - a.position - radius;
     const float gain = C2D_GAIN(axis);
-    wall += 2 * axis;
-    a = c2d_small_wall(a, 1.0f, low, radius, w, kicked, carried, gain, wall, wall + 4, rule);
-    a = c2d_small_wall(a, -1.0f, high, radius, w, kicked, carried, gain, wall + 1, wall + 5, rule);
+    const float2 was = *walls;
+    float2 memoryLow = c2d_of_wall(was, 1.0f);
+    float2 memoryHigh = c2d_of_wall(was, -1.0f);
+    a = c2d_small_wall(a, 1.0f, low, radius, w, kicked, carried, gain, &memoryLow, rule);
+    a = c2d_small_wall(a, -1.0f, high, radius, w, kicked, carried, gain, &memoryHigh, rule);
+    const float2 now = c2d_of_walls(memoryLow, memoryHigh);
+    if (now.x != was.x || now.y != was.y) {
+        *walls = now;
+    }
     const float half_radius = 0.5f * radius;
     const float min = C2D_MIN(axis) + half_radius;
     const float max = C2D_MAX(axis) - half_radius;
@@ -75,7 +82,7 @@ static c2d_axis c2d_small_kick(c2d_axis a, int axis, float slowed, __global cons
 }
 
 __kernel void c2d_integrate(__global float8 *body, __global const int *id, __global float2 *kicked,
-                            __global float *walls, __global const uint *status, __global const float *rule, int circles,
+                            __global float2 *walls, __global const uint *status, __global const float *rule, int circles,
                             int move, int kick) {
     const int i = (int)get_global_id(0);
     if (i >= circles || status[C2D_STALLED] != 0u) {
@@ -87,9 +94,9 @@ __kernel void c2d_integrate(__global float8 *body, __global const int *id, __glo
     if (move) {
         const float2 u = kicked[i];
         const bool carried = u.x != 0.0f || u.y != 0.0f;
-        __global float *wall = walls + 8 * id[i];
-        x = c2d_small_move(x, 0, b.s6, b.s7, u.x, carried, wall, rule);
-        y = c2d_small_move(y, 1, b.s6, b.s7, u.y, carried, wall, rule);
+        __global float2 *both = walls + 2 * id[i];
+        x = c2d_small_move(x, 0, b.s6, b.s7, u.x, carried, both, rule);
+        y = c2d_small_move(y, 1, b.s6, b.s7, u.y, carried, both + 1, rule);
     }
     if (kick) {
         const float slowed = x.kick != 0.0f || y.kick != 0.0f ? C2D_SLOWED : 1.0f;

@@ -2,8 +2,8 @@
 //
 // Circles are kept in the order of the cells; where one is in that order is its place. By place: `body`, a float8,
 //   .s01 centre   .s23 velocity   .s45 kick to come   .s6 radius   .s7 inverse mass
-// and `id`, its number. By number: `walls`, a float8: of the left, right, lower and upper wall the impulse to come, then the
-// last one of each (-1 after a bounce).
+// and `id`, its number. By number: `walls`, for each axis the impulse to come and the last one, positive from the lower wall,
+// negative from the upper; a circle at both of them at once remembers the lower.
 //
 // Every contact is in the list of one of its circles: of the one at the wider level; on one level, of the one in the lower
 // cell, by row and then by column; in one cell, of the one at the lower place. The list of a circle is
@@ -81,4 +81,18 @@ static float c2d_positive(float x) { return x > 0.0f ? x : 0.0f; }
 static float c2d_extrapolated(float impulse, float last, float beta, float most) {
     const float next = c2d_positive(impulse + beta * (impulse - c2d_positive(last)));
     return next < most ? next : most;
+}
+
+// What is remembered of a wall, whose `sign` leads inside, as for a contact. After a bounce the last impulse is beyond all.
+#define C2D_BOUNCED 3e38f
+
+static float2 c2d_of_wall(float2 walls, float sign) {
+    const float last = c2d_positive(sign * walls.y);
+    return (float2)(c2d_positive(sign * walls.x), last >= C2D_BOUNCED ? -1.0f : last);
+}
+
+static float2 c2d_of_walls(float2 low, float2 high) {
+    const float lastLow = low.y < 0.0f ? C2D_BOUNCED : low.y;
+    const float lastHigh = high.y < 0.0f ? C2D_BOUNCED : high.y;
+    return (float2)(low.x != 0.0f ? low.x : -high.x, lastLow != 0.0f ? lastLow : -lastHigh);
 }

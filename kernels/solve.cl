@@ -24,11 +24,11 @@ static c2d_numbers c2d_numbers_of(__global const float *rule) {
     return n;
 }
 
-// Contact k of circle i, `a`, with circle j, `b`, and what the contact remembers. Stores all but the circle of the list, whose
-// changes it returns.
-static float8 c2d_visit(float8 a, float8 b, float2 remembered, int i, int j, int k, __global float8 *body,
-                        __global const int *id, __global const float2 *kicked, __global float2 *memory,
-                        c2d_numbers n) {
+// Contact k of circle i, `a`, with circle j, `b`; `memory` is that of the contact. Whether it changed anything.
+static bool c2d_visit(float8 *circleA, float8 *circleB, float2 *memory, int i, int j, __global const int *id,
+                      __global const float2 *kicked, c2d_numbers n) {
+    const float8 a = *circleA;
+    const float8 b = *circleB;
     const float dx = a.s0 - b.s0;
     const float dy = a.s1 - b.s1;
     const float distance = sqrt(dx * dx + dy * dy);
@@ -46,17 +46,14 @@ static float8 c2d_visit(float8 a, float8 b, float2 remembered, int i, int j, int
     const float dvx = a.s2 - b.s2;
     const float dvy = a.s3 - b.s3;
     const float speed = dvx * nx + dvy * ny;
-    const float come = remembered.x;
-    const float last = remembered.y;
+    const float come = (*memory).x;
+    const float last = (*memory).y;
     float impulse = come - (speed + c2d_positive(gap) * n.perTime) * mass;
     bool bounced = false;
     if (!(impulse > 0.0f)) {
         if (come == 0.0f && gap >= 0.0f) {
-            // nothing to do, nothing to store
-            if (last != 0.0f) {
-                memory[k] = (float2)(0.0f, 0.0f);
-            }
-            return a;
+            *memory = (float2)(0.0f, 0.0f);
+            return last != 0.0f;
         }
         impulse = 0.0f;
     } else if (come == 0.0f) {
@@ -81,11 +78,12 @@ static float8 c2d_visit(float8 a, float8 b, float2 remembered, int i, int j, int
         const float beta = -gap > n.deep * smaller ? 0.0f : shallow;
         next = c2d_extrapolated(impulse, last, beta, n.impulseMost);
     }
-    body[j] = (float8)(b.s0 - wb * share * nx, b.s1 - wb * share * ny, b.s2 - wb * gain * nx, b.s3 - wb * gain * ny,
-                       b.s4 - wb * next * nx, b.s5 - wb * next * ny, b.s6, b.s7);
-    memory[k] = (float2)(next, bounced ? -1.0f : impulse);
-    return (float8)(a.s0 + wa * share * nx, a.s1 + wa * share * ny, a.s2 + wa * gain * nx, a.s3 + wa * gain * ny,
-                    a.s4 + wa * next * nx, a.s5 + wa * next * ny, a.s6, a.s7);
+    *circleA = (float8)(a.s0 + wa * share * nx, a.s1 + wa * share * ny, a.s2 + wa * gain * nx, a.s3 + wa * gain * ny,
+                        a.s4 + wa * next * nx, a.s5 + wa * next * ny, a.s6, a.s7);
+    *circleB = (float8)(b.s0 - wb * share * nx, b.s1 - wb * share * ny, b.s2 - wb * gain * nx, b.s3 - wb * gain * ny,
+                        b.s4 - wb * next * nx, b.s5 - wb * next * ny, b.s6, b.s7);
+    *memory = (float2)(next, bounced ? -1.0f : impulse);
+    return true;
 }
 
 #define C2D_SOLVE                                                                                                      \
@@ -94,8 +92,8 @@ static float8 c2d_visit(float8 a, float8 b, float2 remembered, int i, int j, int
         __global const uint *status, __global const int8 *levels, __global const float *rule
 #define C2D_SOLVE_HERE body, id, kicked, listStart, other, memory, bucketStart, status, levels, rule
 
-// The lists of the circles of one bucket, one after the other. Reads the next contact ahead: within a list no two have a
-// circle in common but that of the list.
+// The lists of the circles of one bucket, one after the other. Memory is slow and the contacts wait for each other, so that
+// each is read before the one ahead of it is done; what that one changes of its circles is passed on.
 static void c2d_solve_bucket(int bucket, c2d_numbers numbers, C2D_SOLVE) {
     int i = bucketStart[bucket];
     int k = listStart[i];
@@ -112,31 +110,39 @@ static void c2d_solve_bucket(int bucket, c2d_numbers numbers, C2D_SOLVE) {
     float2 remembered = memory[k];
     float8 a = body[i];
     float8 b = body[j];
+    int nextJ = other[min(k + 1, end - 1)];
     for (;;) {
-        const int ahead = min(k + 1, end - 1);
-        const int nextJ = other[ahead];
-        const float2 nextRemembered = memory[ahead];
-        float8 nextB = b;
-        if (k + 1 < listEnd) {
-            nextB = body[nextJ];
-        }
-        a = c2d_visit(a, b, remembered, i, j, k, body, id, kicked, memory, numbers);
-        k++;
-        if (k == listEnd) {
-            body[i] = a;
-            if (k == end) {
-                return;
-            }
+        const int next = k + 1;
+        int nextI = i;
+        if (next == listEnd && next < end) {
             do {
-                i++;
-                listEnd = listStart[i + 1];
-            } while (listEnd == k);
-            a = body[i];
-            nextB = body[nextJ];
+                nextI++;
+                listEnd = listStart[nextI + 1];
+            } while (listEnd == next);
         }
+        const int afterJ = other[min(next + 1, end - 1)];
+        float2 nextRemembered = memory[min(next, end - 1)];
+        float8 nextA = body[nextI];
+        float8 nextB = body[nextJ];
+        if (c2d_visit(&a, &b, &remembered, i, j, id, kicked, numbers)) {
+            body[j] = b;
+            memory[k] = remembered;
+        }
+        if (nextI != i || next == end) {
+            body[i] = a;
+        }
+        if (next == end) {
+            return;
+        }
+        nextA = nextI == i ? a : nextI == j ? b : nextA;
+        nextB = nextJ == j ? b : nextJ == i ? a : nextB;
+        i = nextI;
         j = nextJ;
+        k = next;
+        a = nextA;
         b = nextB;
         remembered = nextRemembered;
+        nextJ = afterJ;
     }
 }
 
@@ -180,7 +186,7 @@ static float2 c2d_rescaled(float come, float last, float ratio) {
 }
 
 // What impulses are worth in substeps of another time. One work-item a circle, going round where contacts are more.
-__kernel void c2d_rescale(__global float8 *body, __global float *walls, __global float2 *memory,
+__kernel void c2d_rescale(__global float8 *body, __global float2 *walls, __global float2 *memory,
                           __global const int *listStart, int circles, __global const float *rule) {
     const float ratio = C2D_RESCALE;
     const int i = (int)get_global_id(0);
@@ -189,10 +195,9 @@ __kernel void c2d_rescale(__global float8 *body, __global float *walls, __global
         memory[k] = c2d_rescaled(memory[k].x, memory[k].y, ratio);
     }
     if (i < circles) {
-        for (int wall = 8 * i; wall < 8 * i + 4; wall++) {
-            const float2 rescaled = c2d_rescaled(walls[wall], walls[wall + 4], ratio);
-            walls[wall] = rescaled.x;
-            walls[wall + 4] = rescaled.y;
+        for (int axis = 2 * i; axis < 2 * i + 2; axis++) {
+            const float2 wall = walls[axis];
+            walls[axis] = (float2)(wall.x * ratio, fabs(wall.y) < C2D_BOUNCED ? wall.y * ratio : wall.y);
         }
         body[i].s4 *= ratio;
         body[i].s5 *= ratio;

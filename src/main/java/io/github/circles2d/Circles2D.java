@@ -47,6 +47,9 @@ public final class Circles2D implements AutoCloseable {
     /** The state on the host has changes that the device has not seen. */
     private boolean changed = true;
 
+    /** An upload has failed half-way: what the device holds is neither the old state nor the new. */
+    private boolean lost;
+
     private long steps;
     private boolean closed;
     private Circles2DException failure;
@@ -235,7 +238,7 @@ public final class Circles2D implements AutoCloseable {
     public synchronized StepStats stats() {
         requireUsable();
         try {
-            if (steps == 0) {
+            if (steps == 0 || lost) {
                 upload();
             }
             pipeline.await();
@@ -253,6 +256,16 @@ public final class Circles2D implements AutoCloseable {
         } catch (Circles2DException e) {
             throw failed(e);
         }
+    }
+
+    /**
+     * How much of its device's memory the world holds now, bytes, tables of the index strategy included: under {@link
+     * Solver#SMALL_STEPS} with {@link IndexStrategy#grid()} some 200 a circle. 0 before the first step and on the host
+     * device, whose memory is Java's heap.
+     */
+    public synchronized long deviceMemory() {
+        requireUsable();
+        return stages.bytes();
     }
 
     /** Where this world runs. */
@@ -273,7 +286,9 @@ public final class Circles2D implements AutoCloseable {
 
     private void upload() {
         if (changed) {
+            lost = true;
             pipeline.upload(state.circleBuffer(), state.velocityBuffer(), state.count(), state.maxRadius());
+            lost = false;
             changed = false;
         }
     }

@@ -95,5 +95,10 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
+    public long bytes() {
+        return 0;
+    }
+
+    @Override
     public void close() {}
 }

@@ -89,5 +89,10 @@ public final class HostStages implements Stages {
     }
 
     @Override
+    public long bytes() {
+        return 0;
+    }
+
+    @Override
     public void close() {}
 }

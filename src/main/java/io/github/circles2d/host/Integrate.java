@@ -42,25 +42,55 @@ final class Integrate {
         float x = body[b];
         float y = body[b + 1];
         float radius = body[b + SmallState.RADIUS];
-        wall(i, 0, 0, 1, x - n[Substeps.MIN_X] - radius);
-        wall(i, 1, 0, -1, n[Substeps.MAX_X] - x - radius);
-        wall(i, 2, 1, 1, y - n[Substeps.MIN_Y] - radius);
-        wall(i, 3, 1, -1, n[Substeps.MAX_Y] - y - radius);
+        axis(i, 0, x - n[Substeps.MIN_X] - radius, n[Substeps.MAX_X] - x - radius);
+        axis(i, 1, y - n[Substeps.MIN_Y] - radius, n[Substeps.MAX_Y] - y - radius);
+    }
+
+    /** Both walls of an axis. */
+    private void axis(int i, int axis, float gapLow, float gapHigh) {
+        float[] walls = state.walls;
+        int at = 4 * state.id[i] + 2 * axis;
+        float come = walls[at];
+        float last = walls[at + 1];
+        long low = wall(i, axis, 1, gapLow, positive(come), recalled(last));
+        long high = wall(i, axis, -1, gapHigh, positive(-come), recalled(-last));
+        walls[at] = come(low) != 0 ? come(low) : -come(high);
+        walls[at + 1] = kept(low) != 0 ? kept(low) : -kept(high);
+    }
+
+    private static float positive(float x) {
+        return x > 0 ? x : 0;
+    }
+
+    /** {@code c2d_of_wall}. */
+    private static float recalled(float last) {
+        return last >= SmallState.BOUNCED ? -1 : positive(last);
+    }
+
+    /** Two floats in one. */
+    private static long memory(float come, float last) {
+        return (long) Float.floatToRawIntBits(come) << 32 | Float.floatToRawIntBits(last) & 0xFFFFFFFFL;
+    }
+
+    private static float come(long memory) {
+        return Float.intBitsToFloat((int) (memory >> 32));
+    }
+
+    private static float kept(long memory) {
+        float last = Float.intBitsToFloat((int) memory);
+        return last < 0 ? SmallState.BOUNCED : last;
     }
 
     /** As {@link Solve#visit}, against something that does not move. */
-    private void wall(int i, int which, int axis, float sign, float gap) {
+    private long wall(int i, int axis, float sign, float gap, float come, float last) {
         float[] body = state.body;
         int b = SmallState.BODY * i + axis;
         float radius = body[SmallState.BODY * i + SmallState.RADIUS];
         float w = body[SmallState.BODY * i + SmallState.INVERSE_MASS];
         float speed = sign * body[b + SmallState.VX];
         if (!(gap < 2 * radius || gap + speed * n[Substeps.TIME] < 0)) {
-            return;
+            return memory(come, last);
         }
-        int memory = 8 * state.id[i] + which;
-        float come = state.wall[memory];
-        float last = state.wall[memory + 4];
         float impulse = come - (speed + (gap > 0 ? gap : 0) * n[Substeps.PER_TIME]) / w;
         boolean bounced = false;
         if (!(impulse > 0)) {
@@ -85,8 +115,7 @@ final class Integrate {
             next = Solve.extrapolated(impulse, last, n[Substeps.EXTRAPOLATE], n[Substeps.IMPULSE_MOST]);
             body[b + SmallState.KICK_X] += sign * (w * next);
         }
-        state.wall[memory] = next;
-        state.wall[memory + 4] = bounced ? -1 : impulse;
+        return memory(next, bounced ? -1 : impulse);
     }
 
     private void move(int i) {

@@ -19,13 +19,16 @@ final class SmallState {
     static final int RADIUS = 6;
     static final int INVERSE_MASS = 7;
 
+    /** What the last impulse of a wall says after a bounce: {@code C2D_BOUNCED}. */
+    static final float BOUNCED = 3e38f;
+
     int circles;
     /** By number: (x, y, radius, mass), and (vx, vy), as after the last step. */
     float[] circle = {};
 
     float[] velocities = {};
-    /** By number: of the left, right, lower and upper wall the impulse to come, then the last one of each; -1 after a bounce. */
-    float[] wall = {};
+    /** By number, for each axis: the impulse to come and the last one, positive from the lower wall, negative from the upper. */
+    float[] walls = {};
     /** By place. */
     float[] body = {};
 
@@ -70,7 +73,7 @@ final class SmallState {
     private void grow(int room) {
         circle = new float[4 * room];
         velocities = new float[2 * room];
-        wall = Arrays.copyOf(wall, 8 * room);
+        walls = Arrays.copyOf(walls, 4 * room);
         body = Arrays.copyOf(body, BODY * room);
         id = Arrays.copyOf(id, room);
         kicked = new float[2 * room];

@@ -186,8 +186,10 @@ final class Solve {
             rescale(contacts.memory, 2 * k, 2 * k + 1, ratio);
         }
         for (int i = 0; i < state.circles; i++) {
-            for (int wall = 8 * i; wall < 8 * i + 4; wall++) {
-                rescale(state.wall, wall, wall + 4, ratio);
+            for (int wall = 4 * i; wall < 4 * i + 4; wall += 2) {
+                state.walls[wall] *= ratio;
+                float last = state.walls[wall + 1];
+                state.walls[wall + 1] = Math.abs(last) < SmallState.BOUNCED ? last * ratio : last;
             }
             state.body[SmallState.BODY * i + SmallState.KICK_X] *= ratio;
             state.body[SmallState.BODY * i + SmallState.KICK_Y] *= ratio;

@@ -193,6 +193,11 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
+    public long bytes() {
+        return session.bytes();
+    }
+
+    @Override
     public void close() {
         if (!closed) {
             closed = true;

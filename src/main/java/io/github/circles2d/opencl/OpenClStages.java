@@ -183,6 +183,11 @@ final class OpenClStages implements Stages {
     }
 
     @Override
+    public long bytes() {
+        return session.bytes();
+    }
+
+    @Override
     public void close() {
         if (!closed) {
             closed = true;

@@ -66,6 +66,11 @@ final class Session implements AutoCloseable {
         bytes -= less;
     }
 
+    /** Memory taken from the device, bytes. */
+    long bytes() {
+        return bytes;
+    }
+
     void flush() {
         Cl.check("clFlush", api.flush(queue));
     }

@@ -39,7 +39,7 @@ final class SmallBuffers {
 
     /** Makes room for circles, as many as {@code room}, and their cells; keeps what is kept from step to step. */
     void ensureCircles(Levels now, int room) {
-        walls.grow(32L * room, 0);
+        walls.grow(16L * room, 0);
         kicked.ensure(8L * room);
         from.ensure(4L * room);
         bucketStart.ensure(4L * (now.cells + 1));

@@ -51,7 +51,7 @@ final class Solve {
                 }
                 colours.get(launches++)
                         .arguments(known, number, x, y, rows, across, buckets)
-                        .range(buckets, world.group());
+                        .range(buckets, Math.min(world.group(), Tuning.SOLVE_WORK_GROUP));
             }
         }
         narrow.arguments(known, wide, levels.count).range(1, world.oneGroup());

@@ -21,6 +21,9 @@ public interface DeviceState extends AutoCloseable {
     /** What the last step looks like, computed on the device; after {@link #await()}. Waits. */
     StepSums sums();
 
+    /** Memory of the device that the state takes, bytes; 0 in plain Java, where it is on the heap. */
+    long bytes();
+
     /** Releases everything the state owns. Idempotent. */
     @Override
     void close();

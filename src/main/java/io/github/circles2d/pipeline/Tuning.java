@@ -33,7 +33,7 @@ public final class Tuning {
     public static final int FIRST_CIRCLES = 256;
 
     /** Room for contacts that a world starts with, contacts a circle. 2 to 8: a dense pile has 2 to 3. */
-    public static final int CONTACTS_PER_CIRCLE = 4;
+    public static final int CONTACTS_PER_CIRCLE = 3;
 
     /** Room for contacts added to that, contacts: small worlds can start in one heap. */
     public static final int FIRST_CONTACTS = 1024;
@@ -75,6 +75,9 @@ public final class Tuning {
     public static final int GPU_WORK_GROUP = 256;
 
     public static final int CPU_WORK_GROUP = 256;
+
+    /** Work-items of a group that solves: its buckets take long and differ, so that small groups share out better. 32 to 256. */
+    public static final int SOLVE_WORK_GROUP = 64;
 
     /** Work-items of a launch of one group, which scans cells or does a small world, on a GPU. 64 to 1,024. */
     public static final int GPU_ONE_GROUP = 1024;
