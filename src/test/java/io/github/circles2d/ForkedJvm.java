@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.demo.Scene;
 import java.lang.ref.WeakReference;
 import java.net.URL;
 import java.net.URLClassLoader;
@@ -22,6 +23,7 @@ final class ForkedJvm {
                 System.out.println("hash=" + inLoader() + " " + inLoader());
             }
             case "leak" -> leak();
+            case "threads" -> System.out.println("hash=" + hashOfAPile());
             default -> throw new IllegalArgumentException(args[0]);
         }
     }
@@ -34,6 +36,18 @@ final class ForkedJvm {
             }
             world.step(10);
             return world.device().type() + ":" + world.stateHash();
+        }
+    }
+
+    /** Of a pile large enough for as many parts as there are threads. */
+    private static String hashOfAPile() {
+        Circles2D.Builder builder = Circles2D.builder()
+                .device(ComputeDevice.host())
+                .solver(Solver.SMALL_STEPS)
+                .indexStrategy(IndexStrategy.grid());
+        try (Circles2D world = Scene.PILE.build(builder, 20_000)) {
+            world.step(20);
+            return world.stateHash() + " after " + world.stats().contacts() + " contacts";
         }
     }
 

@@ -185,6 +185,17 @@ class ForkedJvmTest {
     }
 
     @Test
+    void theHostHasTheSameBitsWithAnyNumberOfThreads() throws Exception {
+        String pool = "-Djava.util.concurrent.ForkJoinPool.common.parallelism=";
+        String one = result(start(Map.of(), pool + 1, MAIN, "threads").succeed());
+        assertTrue(one.startsWith("hash="), one);
+        for (int threads : new int[] {2, 7}) {
+            assertEquals(
+                    one, result(start(Map.of(), pool + threads, MAIN, "threads").succeed()));
+        }
+    }
+
+    @Test
     void aWorldThatWasNeverClosedIsReportedAndAClosedOneIsNot() throws Exception {
         String said = start(Map.of(), MAIN, "leak").succeed();
         assertTrue(said.contains("collected=true"), said);

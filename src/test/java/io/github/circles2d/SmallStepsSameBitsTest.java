@@ -61,7 +61,7 @@ class SmallStepsSameBitsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"pile", "mixed"})
+    @ValueSource(strings = {"pile", "pebbles"})
     void oneHashForEveryStrategyDeviceAndGroup(String scene) {
         long expected = hash(scene, ComputeDevice.host(), IndexStrategy.grid(), 0);
         for (IndexStrategy strategy : IndexStrategy.builtIn()) {

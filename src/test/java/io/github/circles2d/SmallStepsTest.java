@@ -34,7 +34,7 @@ class SmallStepsTest {
 
     @Test
     void aPileOfManySizesStandsToo() {
-        try (Circles2D world = Scene.MIXED.build(builder(), 1000)) {
+        try (Circles2D world = Scene.PEBBLES.build(builder(), 1000)) {
             world.step(600);
             StepStats stats = world.stats();
             assertTrue(stats.meanOverlap() <= 0.01, stats.toString());

@@ -15,7 +15,7 @@ final class Options {
     static final String HELP = """
             Circles2D: rigid circles in a box, in a window, or headless into a picture and a summary.
 
-              --scene NAME         thesis (default), gas, pile, mixed or column
+              --scene NAME         thesis (default), gas, pile, mixed, pebbles, column, loaded, bullets or dam
               --circles N          number of circles, default 1250
               --device NAME|INDEX  where it runs: gpu, cpu, host, a part of a name, or an index of --list
               --solver NAME        impulse (default, the thesis' rule) or small_steps (piles that stand)

@@ -1,9 +1,7 @@
 package io.github.circles2d.demo;
 
-import io.github.circles2d.CircleDef;
 import io.github.circles2d.Circles2D;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.function.BiConsumer;
 
 /**
@@ -17,8 +15,6 @@ import java.util.function.BiConsumer;
  */
 public record Scene(
         String name, float gravityX, float gravityY, float restitution, BiConsumer<Circles2D, Integer> circles) {
-    private static final long SEED = 2014;
-
     /** Circles of the thesis' test program; it has no other number. */
     public static final int THESIS_CIRCLES = 1250;
 
@@ -27,90 +23,59 @@ public record Scene(
      * 1,250 circles radii shrink so that the circles cover as much of the box as there: 61 % of it (the thesis keeps the
      * radii, and 15,000 circles cover the box seven times).
      */
-    public static final Scene THESIS = new Scene("thesis", 0, -0.01f, 0.5f, (world, circles) -> {
-        SplittableRandom random = new SplittableRandom(SEED);
-        float scale = (float) Math.sqrt(Math.min(1.0, (double) THESIS_CIRCLES / Math.max(1, circles)));
-        CircleDef def = new CircleDef();
-        for (int i = 0; i < circles; i++) {
-            def.position(0.1f + 0.8f * (float) random.nextDouble(), 0.1f + 0.8f * (float) random.nextDouble());
-            def.radius(scale * (0.01f + 0.005f * (float) random.nextDouble()));
-            def.mass(1 + 9 * (float) random.nextDouble());
-            world.addCircle(def);
-        }
-    });
+    public static final Scene THESIS = new Scene("thesis", 0, -0.01f, 0.5f, Places::thesis);
 
     /** Circles flying about without gravity or loss: the energy stays. Placed on a lattice, apart from each other. */
-    public static final Scene GAS = new Scene("gas", 0, 0, 1, (world, circles) -> {
-        SplittableRandom random = new SplittableRandom(SEED);
-        int side = (int) Math.ceil(Math.sqrt(circles));
-        float cell = 1f / Math.max(1, side);
-        CircleDef def = new CircleDef();
-        for (int i = 0; i < circles; i++) {
-            def.position((i % side + 0.5f) * cell, (i / side + 0.5f) * cell);
-            def.radius(cell * (0.2f + 0.1f * (float) random.nextDouble()));
-            def.mass(1 + 9 * (float) random.nextDouble());
-            def.velocity((float) random.nextDouble(-0.2, 0.2), (float) random.nextDouble(-0.2, 0.2));
-            world.addCircle(def);
-        }
-    });
+    public static final Scene GAS = new Scene("gas", 0, 0, 1, Places::gas);
 
     /**
      * Circles at rest all over the box, apart from each other, that fall and make a pile: they cover at most 35 % of it.
-     * Radii from 0.66 R to R, masses from 1 to 10.
+     * Radii from 0.66 R to R, masses from 1 to 10, with {@code R = sqrt(0.35 / (pi n))}.
      */
-    public static final Scene PILE = new Scene("pile", 0, -1, 0.5f, (world, circles) -> {
-        SplittableRandom random = new SplittableRandom(SEED);
-        int side = (int) Math.ceil(Math.sqrt(circles));
-        float cell = 1f / Math.max(1, side);
-        float largest = largest(circles);
-        CircleDef def = new CircleDef();
-        for (int i = 0; i < circles; i++) {
-            float radius = largest * (0.66f + 0.34f * (float) random.nextDouble());
-            float free = 0.99f * Math.max(0, cell / 2 - radius);
-            def.position(
-                    (i % side + 0.5f) * cell + free * (float) random.nextDouble(-1, 1),
-                    (i / side + 0.5f) * cell + free * (float) random.nextDouble(-1, 1));
-            def.radius(radius);
-            def.mass(1 + 9 * (float) random.nextDouble());
-            world.addCircle(def);
-        }
-    });
+    public static final Scene PILE = new Scene("pile", 0, -1, 0.5f, Places::pile);
+
+    /**
+     * A pile with boulders: as {@link #PILE}, but the first hundredth of the circles, at least one, have the radius 8 R and,
+     * as if of the same material, masses from 64 to 640. R is such that all circles together cover 35 % of the box; none
+     * overlap at first.
+     */
+    public static final Scene MIXED = new Scene("mixed", 0, -1, 0.5f, Boulders::mixed);
 
     /**
      * Radii of all sizes up to 30 times the smallest, as many of each as fill the same area, masses as their areas: a pile
      * of pebbles and boulders. Circles lie at random places and may overlap at first.
      */
-    public static final Scene MIXED = new Scene("mixed", 0, -1, 0.5f, (world, circles) -> {
-        SplittableRandom random = new SplittableRandom(SEED);
-        // radii r between 1 and 30 with a density of 1/r^3 have a mean square of 2 ln 30 / (1 - 1/900)
-        double smallest = Math.sqrt(0.35 / (Math.PI * Math.max(1, circles) * 2 * Math.log(30) / (1 - 1 / 900.0)));
-        CircleDef def = new CircleDef();
-        for (int i = 0; i < circles; i++) {
-            double size = 1 / Math.sqrt(1 - random.nextDouble() * (1 - 1 / 900.0));
-            float radius = (float) Math.min(0.2, smallest * size);
-            def.position(
-                    radius + (1 - 2 * radius) * (float) random.nextDouble(),
-                    radius + (1 - 2 * radius) * (float) random.nextDouble());
-            def.radius(radius);
-            def.mass((float) (size * size));
-            world.addCircle(def);
-        }
-    });
+    public static final Scene PEBBLES = new Scene("pebbles", 0, -1, 0.5f, Boulders::pebbles);
 
-    /** Circles of one size on top of each other, in the middle of the box, at rest. */
-    public static final Scene COLUMN = new Scene("column", 0, -1, 0.5f, (world, circles) -> {
-        float radius = 0.4f / Math.max(1, circles);
-        for (int i = 0; i < circles; i++) {
-            world.addCircle(0.5f, radius * (2 * i + 1), radius, 1);
-        }
-    });
+    /** Most circles that {@link #COLUMN} and {@link #LOADED} put on top of each other. */
+    public static final int COLUMN_HEIGHT = 100;
 
-    private static float largest(int circles) {
-        return (float) Math.sqrt(0.35 / (Math.PI * Math.max(1, circles)));
-    }
+    /**
+     * Circles of one size and mass 1 on top of each other, at rest, in the middle of the box. More than
+     * {@value #COLUMN_HEIGHT} circles stand in several columns side by side, which do not touch.
+     */
+    public static final Scene COLUMN =
+            new Scene("column", 0, -1, 0.5f, (world, circles) -> Places.columns(world, circles, 1));
+
+    /** As {@link #COLUMN}, but the circle on top of each column has a hundred times the mass of the others. */
+    public static final Scene LOADED =
+            new Scene("loaded", 0, -1, 0.5f, (world, circles) -> Places.columns(world, circles, 100));
+
+    /**
+     * As {@link #PILE}, but every fiftieth circle, from the first on, is a bullet: mass 10, 40 R a step of 1/60 s in any
+     * direction, 13 times the distance from one circle to the next. Circles only lose energy here.
+     */
+    public static final Scene BULLETS = new Scene("bullets", 0, -1, 0.5f, Places::bullets);
+
+    /**
+     * A tall block at the left wall, a third of the box wide and nearly as high, that breaks, washes over the floor and up
+     * the other wall. Circles at rest and apart from each other, radii from 0.8 R to R, masses from 10 at the floor to 1 at
+     * the top, so that the demo's colours show how it flows.
+     */
+    public static final Scene DAM = new Scene("dam", 0, -1, 0.2f, Places::dam);
 
     /** Every scene, the default first. */
-    public static final List<Scene> ALL = List.of(THESIS, GAS, PILE, MIXED, COLUMN);
+    public static final List<Scene> ALL = List.of(THESIS, GAS, PILE, MIXED, PEBBLES, COLUMN, LOADED, BULLETS, DAM);
 
     /** The scene of a name. */
     public static Scene named(String name) {

@@ -88,7 +88,7 @@ class OptionsTest {
                 "--circles 2.5 | --circles = 2.5: must be a whole number from 1 to",
                 "--steps -1 | --steps = -1: must be a whole number from 1 to 10000000",
                 "--steps 99999999999 | --steps = 99999999999: must be a whole number",
-                "--scene moon | scene = moon: must be one of [thesis, gas, pile, mixed, column]",
+                "--scene moon | scene = moon: must be one of [thesis, gas, pile, mixed, pebbles, column, loaded, bullets, dam]",
                 "--strategy tree | strategy = tree: must be one of [formula, pair_table, row_search, grid, folded]",
                 "--store heap | store = heap: must be one of [compact, triangle]",
                 "--screenshot a.gif | --screenshot = a.gif: must end in .png",

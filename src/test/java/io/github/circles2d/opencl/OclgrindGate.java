@@ -76,8 +76,8 @@ public final class OclgrindGate {
         }
         for (IndexStrategy strategy : List.of(IndexStrategy.grid(), IndexStrategy.folded())) {
             // with a launch a colour, and with one for all of them
-            agreeInSmallSteps(Scene.MIXED, 33, strategy, 2, 0);
-            agreeInSmallSteps(Scene.MIXED, 33, strategy, 2, 4096);
+            agreeInSmallSteps(Scene.PEBBLES, 33, strategy, 2, 0);
+            agreeInSmallSteps(Scene.PEBBLES, 33, strategy, 2, 4096);
             agreeInSmallSteps(pile(), 10, strategy, 2, 0);
         }
         // by its speeds this one takes more substeps in its second step, which rescales what it remembers
