@@ -83,13 +83,13 @@ public final class Circles2D implements AutoCloseable {
         /** Where the world runs. Default {@link ComputeDevice#preferred()}. */
         Builder device(ComputeDevice device);
 
-        /** How detect finds its pairs. Default {@link IndexStrategy#folded()}. Never changes the result. */
+        /** How detect finds its pairs. Default {@link IndexStrategy#grid()}. Never changes the result. */
         Builder indexStrategy(IndexStrategy strategy);
 
         /** Where detect leaves the contacts. Default {@link CollisionStore#COMPACT}. Never changes the result. */
         Builder collisionStore(CollisionStore store);
 
-        /** How contacts are resolved. Default {@link Solver#IMPULSE}. */
+        /** How contacts are resolved. Default {@link Solver#SMALL_STEPS}. */
         Builder solver(Solver solver);
 
         /** Time of one step, seconds, 1e-9 to 1e3. Default 1/60. */

@@ -6,9 +6,9 @@ import io.github.circles2d.pipeline.WorldConfig;
 /** The builder behind {@link Circles2D#builder()}; what is package-private here is for tests. */
 final class WorldBuilder implements Circles2D.Builder {
     private ComputeDevice device;
-    private IndexStrategy strategy = IndexStrategy.folded();
+    private IndexStrategy strategy = IndexStrategy.grid();
     private CollisionStore store = CollisionStore.COMPACT;
-    private Solver solver = Solver.IMPULSE;
+    private Solver solver = Solver.SMALL_STEPS;
     private int substeps;
     private float timeStep = 1f / 60;
     private float gravityX;

@@ -16,7 +16,7 @@ class CollisionPhysicsTest {
     private static final double CLOSE = 2e-6;
 
     private static Circles2D world(ComputeDevice device, float restitution, float gravityY) {
-        return Circles2D.builder()
+        return Internals.thesis()
                 .device(device)
                 .timeStep(STEP)
                 .gravity(0, gravityY)

@@ -32,7 +32,7 @@ class ConservationTest {
     @ParameterizedTest
     @MethodSource("io.github.circles2d.TestDevices#both")
     void momentumOfAFreeGas(Supplier<ComputeDevice> device) {
-        Circles2D.Builder builder = Circles2D.builder()
+        Circles2D.Builder builder = Internals.thesis()
                 .device(device.get())
                 .timeStep(1f / 240)
                 .gravity(0, 0)
@@ -80,7 +80,7 @@ class ConservationTest {
     @MethodSource("restitutions")
     void energyNeverGrows(Supplier<ComputeDevice> device, float restitution) {
         Scene scene = new Scene("gas", 0, 0, restitution, Scene.GAS.circles());
-        try (Circles2D world = scene.build(Circles2D.builder().device(device.get()), 150)) {
+        try (Circles2D world = scene.build(Internals.thesis().device(device.get()), 150)) {
             double start = world.stats().kineticEnergy();
             double energy = start;
             long contacts = 0;
@@ -116,7 +116,7 @@ class ConservationTest {
     @ParameterizedTest
     @MethodSource("io.github.circles2d.TestDevices#both")
     void nothingLeavesTheThesisScene(Supplier<ComputeDevice> device) {
-        try (Circles2D world = Scene.THESIS.build(Circles2D.builder().device(device.get()), 500)) {
+        try (Circles2D world = Scene.THESIS.build(Internals.thesis().device(device.get()), 500)) {
             for (int step = 0; step < 150; step++) {
                 world.step();
                 checkInside(world);
@@ -139,7 +139,7 @@ class ConservationTest {
                 world.addCircle(def);
             }
         });
-        try (Circles2D world = scene.build(Circles2D.builder().device(device.get()), 100)) {
+        try (Circles2D world = scene.build(Internals.thesis().device(device.get()), 100)) {
             for (int step = 0; step < 100; step++) {
                 world.step();
                 checkInside(world);
@@ -150,7 +150,7 @@ class ConservationTest {
     @ParameterizedTest
     @MethodSource("io.github.circles2d.TestDevices#both")
     void hundredCirclesOnOneSpotPart(Supplier<ComputeDevice> device) {
-        try (Circles2D world = Circles2D.builder().device(device.get()).build()) {
+        try (Circles2D world = Internals.thesis().device(device.get()).build()) {
             for (int i = 0; i < 100; i++) {
                 world.addCircle(0.5f, 0.5f, 0.02f, 1);
             }

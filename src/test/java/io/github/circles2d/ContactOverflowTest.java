@@ -14,7 +14,7 @@ class ContactOverflowTest {
     private static final int MEET = 5;
 
     private static Circles2D heap(ComputeDevice device, CollisionStore store, int smallWorld) {
-        Circles2D world = new WorldBuilder()
+        Circles2D world = Internals.thesisBuilder()
                 .device(device)
                 .collisionStore(store)
                 .smallWorld(smallWorld)
@@ -67,7 +67,7 @@ class ContactOverflowTest {
     }
 
     private static Circles2D gathering(ComputeDevice device, CollisionStore store, int smallWorld) {
-        Circles2D world = new WorldBuilder()
+        Circles2D world = Internals.thesisBuilder()
                 .device(device)
                 .collisionStore(store)
                 .smallWorld(smallWorld)

@@ -23,4 +23,20 @@ public final class Internals {
                 .pairsPerSlice(pairsPerSlice)
                 .smallWorld(smallWorld);
     }
+
+    /** A builder for the thesis' world: {@link Solver#IMPULSE}, by pairs. */
+    public static Circles2D.Builder thesis() {
+        return thesisBuilder();
+    }
+
+    static WorldBuilder thesisBuilder() {
+        return new WorldBuilder().solver(Solver.IMPULSE).indexStrategy(IndexStrategy.folded());
+    }
+
+    /** As {@link #builder}, of the thesis' world. */
+    public static Circles2D.Builder thesis(int workGroup, long pairsPerSlice, int smallWorld) {
+        return builder(workGroup, pairsPerSlice, smallWorld)
+                .solver(Solver.IMPULSE)
+                .indexStrategy(IndexStrategy.folded());
+    }
 }

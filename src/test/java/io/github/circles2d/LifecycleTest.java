@@ -66,7 +66,7 @@ class LifecycleTest {
     @MethodSource("io.github.circles2d.TestDevices#both")
     void oneCircleFalls(Supplier<ComputeDevice> device) {
         try (Circles2D world =
-                Circles2D.builder().device(device.get()).gravity(0.125f, -1).build()) {
+                Internals.thesis().device(device.get()).gravity(0.125f, -1).build()) {
             world.addCircle(0.5f, 0.9f, 0.05f, 1);
             world.step(30);
             Snapshot now = world.snapshot();
@@ -97,7 +97,7 @@ class LifecycleTest {
     @MethodSource("io.github.circles2d.TestDevices#both")
     void circleThatJustFits(Supplier<ComputeDevice> device) {
         try (Circles2D world =
-                Circles2D.builder().device(device.get()).bounds(-1, -1, 3, 1).build()) {
+                Internals.thesis().device(device.get()).bounds(-1, -1, 3, 1).build()) {
             world.addCircle(3, 0.3f, 1, 1);
             world.setVelocity(0, 0, 1e6f);
             for (int step = 0; step < 5; step++) {
@@ -148,7 +148,7 @@ class LifecycleTest {
     @ParameterizedTest
     @MethodSource("io.github.circles2d.TestDevices#both")
     void velocitySetBehindQueuedSteps(Supplier<ComputeDevice> device) {
-        try (Circles2D world = Circles2D.builder().device(device.get()).build()) {
+        try (Circles2D world = Internals.thesis().device(device.get()).build()) {
             world.addCircle(0.5f, 0.9f, 0.05f, 1);
             world.step(30);
             world.setVelocity(0, 0.25f, 0.5f);

@@ -28,7 +28,7 @@ class ManyPairsTest {
     void contactsOfALatticeWithFewNeighbours() {
         assertTrue(IndexStrategies.wide(CIRCLES) && !IndexStrategies.wide(CIRCLES - 1));
         try (Circles2D world =
-                Circles2D.builder().device(TestDevices.openCl()).gravity(0, 0).build()) {
+                Internals.thesis().device(TestDevices.openCl()).gravity(0, 0).build()) {
             for (int i = 0; i < CIRCLES; i++) {
                 if (i == 1000) {
                     world.step();

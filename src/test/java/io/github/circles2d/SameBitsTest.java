@@ -45,19 +45,22 @@ class SameBitsTest {
     @ParameterizedTest
     @MethodSource("combinations")
     void strategiesStoresAndDevices(Supplier<ComputeDevice> device, IndexStrategy strategy, CollisionStore store) {
-        check(new WorldBuilder().device(device.get()).indexStrategy(strategy).collisionStore(store));
+        check(Internals.thesisBuilder()
+                .device(device.get())
+                .indexStrategy(strategy)
+                .collisionStore(store));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {1, 7, 64, 256})
     void workGroups(int workGroup) {
-        check(new WorldBuilder().device(TestDevices.openCl()).workGroup(workGroup));
+        check(Internals.thesisBuilder().device(TestDevices.openCl()).workGroup(workGroup));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 7, 64})
     void workGroupsOfALaunchAColour(int workGroup) {
-        check(new WorldBuilder()
+        check(Internals.thesisBuilder()
                 .device(TestDevices.openCl())
                 .workGroup(workGroup)
                 .smallWorld(0));
@@ -66,7 +69,7 @@ class SameBitsTest {
     @ParameterizedTest
     @MethodSource("io.github.circles2d.TestDevices#both")
     void slices(Supplier<ComputeDevice> device) {
-        check(new WorldBuilder()
+        check(Internals.thesisBuilder()
                 .device(device.get())
                 .indexStrategy(IndexStrategy.pairTable())
                 .collisionStore(CollisionStore.TRIANGLE)
@@ -77,7 +80,7 @@ class SameBitsTest {
     @ParameterizedTest
     @MethodSource("io.github.circles2d.TestDevices#both")
     void stepsOneByOne(Supplier<ComputeDevice> device) {
-        try (Circles2D world = Scene.THESIS.build(new WorldBuilder().device(device.get()), CIRCLES)) {
+        try (Circles2D world = Scene.THESIS.build(Internals.thesisBuilder().device(device.get()), CIRCLES)) {
             for (int step = 0; step < STEPS; step++) {
                 world.step();
                 if (step % 50 == 0) {

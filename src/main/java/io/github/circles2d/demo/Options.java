@@ -18,7 +18,7 @@ final class Options {
               --scene NAME         thesis (default), gas, pile, mixed, pebbles, column, loaded, bullets or dam
               --circles N          number of circles, default 1250
               --device NAME|INDEX  where it runs: gpu, cpu, host, a part of a name, or an index of --list
-              --solver NAME        impulse (default, the thesis' rule) or small_steps (piles that stand)
+              --solver NAME        small_steps (default, piles that stand) or impulse (the thesis' rule)
               --substeps N         substeps of a step of small_steps; without it they are chosen before each step
               --strategy NAME      formula, pair_table, row_search, folded or grid; default folded with impulse, else grid
               --store NAME         compact (default) or triangle
@@ -34,7 +34,7 @@ final class Options {
 
     Scene scene = Scene.THESIS;
     int circles = Scene.THESIS_CIRCLES;
-    Solver solver = Solver.IMPULSE;
+    Solver solver = Solver.SMALL_STEPS;
     int substeps;
     CollisionStore store = CollisionStore.COMPACT;
     boolean headless;

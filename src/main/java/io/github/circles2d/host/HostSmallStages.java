@@ -19,6 +19,7 @@ public final class HostSmallStages implements SmallStages {
     private final Integrate integrate;
     private final Solve solve;
     private final WorldConfig config;
+    private final Status status = new Status();
     private int detections;
 
     public HostSmallStages(WorldConfig config) {
@@ -81,7 +82,7 @@ public final class HostSmallStages implements SmallStages {
     public Status await() {
         int done = detections;
         detections = 0;
-        return new Status(contacts.listStart[state.circles], false, done);
+        return status.set(contacts.listStart[state.circles], false, done);
     }
 
     @Override

@@ -18,6 +18,7 @@ public final class HostStages implements Stages {
     private final Near near;
     private final Colour colour;
     private final Resolve resolve;
+    private final Status status = new Status();
     private CellGrid cells;
 
     public HostStages(WorldConfig config) {
@@ -70,7 +71,7 @@ public final class HostStages implements Stages {
 
     @Override
     public Status await() {
-        return new Status(contacts.count, false, 0);
+        return status.set(contacts.count, false, 0);
     }
 
     @Override

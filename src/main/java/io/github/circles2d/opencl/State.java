@@ -30,6 +30,7 @@ final class State {
     /** The copy holds all of the device's state, not only its status. */
     private boolean copyWhole;
 
+    private final Status done = new Status();
     private int updatesSeen;
 
     State(Session session) {
@@ -84,7 +85,7 @@ final class State {
         whole.read(0, copyPointer, copyWhole ? bytes : STATUS_BYTES);
         int updates = copy.getInt(8) - updatesSeen;
         updatesSeen = copy.getInt(8);
-        return new Status(Integer.toUnsignedLong(copy.getInt(0)), copy.getInt(4) != 0, updates);
+        return done.set(Integer.toUnsignedLong(copy.getInt(0)), copy.getInt(4) != 0, updates);
     }
 
     /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */

@@ -98,7 +98,7 @@ public final class Tuning {
 
     public static final int AUTO_FEWEST = 8;
 
-    public static final int AUTO_MOST = 96;
+    public static final int AUTO_MOST = 128;
 
     /** Circles up to which a world is small in that sense: its substeps are cheap, and thin columns need them. */
     public static final int AUTO_SMALL = 8000;

@@ -28,9 +28,9 @@ class OptionsTest {
                 new Setup(
                         Scene.THESIS,
                         1250,
-                        Solver.IMPULSE,
+                        Solver.SMALL_STEPS,
                         0,
-                        IndexStrategy.folded(),
+                        IndexStrategy.grid(),
                         CollisionStore.COMPACT,
                         ComputeDevice.host()),
                 setup);
@@ -43,7 +43,7 @@ class OptionsTest {
     @Test
     void everyOptionIsRead() {
         Options options = Options.parse(
-                "--scene gas --circles 7 --steps 9 --device host --strategy pair_table --store triangle --headless --list"
+                "--scene gas --circles 7 --steps 9 --device host --solver impulse --strategy pair_table --store triangle --headless --list"
                         .split(" "));
         assertEquals(
                 new Setup(

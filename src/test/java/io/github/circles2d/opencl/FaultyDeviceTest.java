@@ -72,7 +72,7 @@ class FaultyDeviceTest {
     }
 
     private void tooMuch(int circles, String message) {
-        try (Circles2D world = Circles2D.builder().device(device()).build()) {
+        try (Circles2D world = Internals.thesis().device(device()).build()) {
             world.addCircle(0.5f, 0.5f, 0.1f, 1);
             world.addCircle(0.6f, 0.5f, 0.1f, 1);
             world.step();
@@ -96,7 +96,7 @@ class FaultyDeviceTest {
     @Test
     void memoryOfARefusedTriangleIsGivenBack() {
         faulty.limit(CL.CL_DEVICE_GLOBAL_MEM_SIZE, 1_000_000);
-        Circles2D.Builder builder = Internals.builder(0, 20_000, 0)
+        Circles2D.Builder builder = Internals.thesis(0, 20_000, 0)
                 .device(device())
                 .capacity(1000)
                 .indexStrategy(IndexStrategy.pairTable())
@@ -121,7 +121,7 @@ class FaultyDeviceTest {
     void aSourceThatDoesNotCompileIsShownWithItsOwnLine(boolean exceptions) {
         ComputeDevice device = device();
         CL.setExceptionsEnabled(exceptions);
-        Circles2D.Builder builder = Circles2D.builder()
+        Circles2D.Builder builder = Internals.thesis()
                 .device(device)
                 .indexStrategy(new Users("static int2 c2d_pair_at(c2d_index pair, c2d_index first, int circles,\n"
                         + "                        __global const int2 *table) {\n    return nonsense;\n}\n"));
@@ -135,7 +135,7 @@ class FaultyDeviceTest {
     @Test
     void aBuildFailureIsOneEvenWhereTheDriverHasNoLog() {
         ComputeDevice device = device();
-        Circles2D.Builder builder = Circles2D.builder().device(device).indexStrategy(new Users("nonsense"));
+        Circles2D.Builder builder = Internals.thesis().device(device).indexStrategy(new Users("nonsense"));
         faulty.behave();
         assertThrows(KernelBuildException.class, builder::build);
         int log = faulty.calls().indexOf("getProgramBuildInfo");
@@ -173,7 +173,7 @@ class FaultyDeviceTest {
             }
         };
         try (Circles2D world =
-                Circles2D.builder().device(device()).indexStrategy(users).build()) {
+                Internals.thesis().device(device()).indexStrategy(users).build()) {
             world.addCircle(0.5f, 0.5f, 0.1f, 1);
             world.addCircle(0.6f, 0.5f, 0.1f, 1);
             assertEquals(
@@ -216,7 +216,7 @@ class FaultyDeviceTest {
     }
 
     private static long run(ComputeDevice device) {
-        try (Circles2D world = Circles2D.builder().device(device).build()) {
+        try (Circles2D world = Internals.thesis().device(device).build()) {
             world.addCircle(0.5f, 0.5f, 0.1f, 1);
             world.addCircle(0.6f, 0.5f, 0.1f, 1);
             world.step(5);

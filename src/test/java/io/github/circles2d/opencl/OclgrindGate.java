@@ -6,6 +6,7 @@ import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Internals;
 import io.github.circles2d.Solver;
+import io.github.circles2d.StepStats;
 import io.github.circles2d.demo.Scene;
 import io.github.circles2d.pipeline.KernelSources;
 import java.io.IOException;
@@ -103,6 +104,7 @@ public final class OclgrindGate {
 
     private void agreeInSmallSteps(Scene scene, int circles, IndexStrategy strategy, int substeps, int smallWorld) {
         long[] hashes = new long[2];
+        StepStats[] stats = new StepStats[2];
         for (int side = 0; side < 2; side++) {
             Circles2D.Builder builder = Internals.builder(32, 0, smallWorld)
                     .device(side == 0 ? ComputeDevice.host() : Internals.computeDevice(device))
@@ -114,10 +116,11 @@ public final class OclgrindGate {
                 world.setVelocity(0, 50, 3);
                 world.step();
                 hashes[side] = world.stateHash();
-                require(world.stats().steps() == 2, "all steps");
+                stats[side] = world.stats();
             }
         }
         worlds++;
+        require(stats[0].equals(stats[1]), "the statistics " + stats[0] + " and not " + stats[1]);
         require(hashes[0] == hashes[1], "the hash of the host for small steps, " + scene.name() + " " + strategy);
     }
 
@@ -130,20 +133,22 @@ public final class OclgrindGate {
             long pairsPerSlice,
             int smallWorld) {
         long[] hashes = new long[2];
+        StepStats[] stats = new StepStats[2];
         for (int side = 0; side < 2; side++) {
             ComputeDevice on = side == 0 ? ComputeDevice.host() : Internals.computeDevice(device);
             // many work-items in a group, so that races within one can show
-            Circles2D.Builder builder = Internals.builder(32, pairsPerSlice, smallWorld)
+            Circles2D.Builder builder = Internals.thesis(32, pairsPerSlice, smallWorld)
                     .device(on)
                     .indexStrategy(strategy)
                     .collisionStore(store);
             try (Circles2D world = scene.build(builder, circles)) {
                 world.step(steps);
                 hashes[side] = world.stateHash();
-                require(world.stats().steps() == steps, "all steps");
+                stats[side] = world.stats();
             }
         }
         worlds++;
+        require(stats[0].equals(stats[1]), "the statistics " + stats[0] + " and not " + stats[1]);
         require(
                 hashes[0] == hashes[1],
                 "the hash of the host for " + scene.name() + " " + circles + " " + strategy + " " + store
