@@ -8,7 +8,7 @@ import java.util.Arrays;
  * arguments; otherwise JMH with all of them.
  *
  * <pre>{@code
- * mvn -q -Pbench verify -Dbench.args="ThesisFigure3 --circles 1250"
+ * mvn -q -Pbench verify -Dbench.args="Scaling --circles 1000,10000"
  * mvn -q -Pbench verify -Dbench.args="ThesisStep -p circles=1250"
  * }</pre>
  */
@@ -33,6 +33,7 @@ public final class Main {
     private static void run(String[] args, String[] rest) throws Exception {
         switch (args[0]) {
             case "ThesisFigure3" -> ThesisFigure3.main(rest);
+            case "Scaling" -> Scaling.main(rest);
             case "Hashes" -> Hashes.main(rest);
             case "Quality" -> Quality.main(rest);
             case "StageTimes" -> StageTimes.main(rest);
