@@ -33,6 +33,7 @@ public final class Main {
     private static void run(String[] args, String[] rest) throws Exception {
         switch (args[0]) {
             case "ThesisFigure3" -> ThesisFigure3.main(rest);
+            case "Peers" -> Peers.main(rest);
             case "Scaling" -> Scaling.main(rest);
             case "Hashes" -> Hashes.main(rest);
             case "Quality" -> Quality.main(rest);
