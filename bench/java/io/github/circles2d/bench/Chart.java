@@ -1,5 +1,6 @@
 package io.github.circles2d.bench;
 
+import java.awt.AWTError;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.io.IOException;
@@ -123,7 +124,7 @@ final class Chart {
         try {
             Files.createDirectories(file.toAbsolutePath().getParent());
             ImageIO.write(BitmapEncoder.getBufferedImage(chart), "png", file.toFile());
-        } catch (RuntimeException | LinkageError | InternalError e) {
+        } catch (RuntimeException | LinkageError | InternalError | AWTError e) {
             System.out.println("no " + file.getFileName() + ": " + e + "; draw it elsewhere with --draw --out FOLDER");
         }
     }

@@ -6,7 +6,6 @@ import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Solver;
 import io.github.circles2d.StepStats;
 import java.util.Arrays;
-import java.util.OptionalDouble;
 
 /** One figure of {@link Scaling}, in a JVM of its own. */
 final class ScalingCase {
@@ -42,7 +41,7 @@ final class ScalingCase {
         int timed = 0;
         double ready = 0;
         StepStats stats = null;
-        OptionalDouble bytes = OptionalDouble.empty();
+        long bytes = 0;
         // as many rounds as half of the time holds
         long begun = System.nanoTime();
         while (rounds < ROUNDS && (rounds == 0 || 2 * (System.nanoTime() - begun) < end - begun)) {
@@ -65,7 +64,7 @@ final class ScalingCase {
                 }
                 ms[rounds++] = time(world, timed);
                 stats = world.stats();
-                bytes = bytes(world);
+                bytes = world.deviceMemory();
             }
         }
         double[] all = Arrays.copyOf(ms, rounds);
@@ -78,7 +77,7 @@ final class ScalingCase {
                 ready,
                 (double) stats.contacts() / circles,
                 stats.meanOverlap(),
-                bytes.isPresent() ? bytes.getAsDouble() / circles : "");
+                bytes > 0 ? (double) bytes / circles : "");
     }
 
     private Layout layout(int circles) {
@@ -110,10 +109,5 @@ final class ScalingCase {
                 .solver(Solver.SMALL_STEPS)
                 .indexStrategy(IndexStrategy.grid())
                 .substeps(substeps);
-    }
-
-    /** Bytes that the world holds on its device, all buffers; empty while the library does not say. */
-    private static OptionalDouble bytes(Circles2D world) {
-        return OptionalDouble.empty();
     }
 }
