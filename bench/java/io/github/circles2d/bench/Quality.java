@@ -16,7 +16,7 @@ import java.util.Arrays;
  * the way there and over the last tenth of it, and, from there on, at 8 substeps; the state hash.
  *
  * <pre>{@code
- * java -cp target/benchmarks.jar io.github.circles2d.bench.Quality DEVICE SCENE CIRCLES SUBSTEPS STEPS
+ * java -jar target/benchmarks.jar Quality DEVICE SCENE CIRCLES SUBSTEPS STEPS
  * }</pre>
  */
 public final class Quality {

@@ -3,9 +3,9 @@ package io.github.circles2d.bench;
 import io.github.circles2d.CircleDef;
 import io.github.circles2d.Circles2D;
 import io.github.circles2d.CollisionStore;
-import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Snapshot;
+import io.github.circles2d.Solver;
 import io.github.circles2d.demo.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -41,9 +41,9 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5)
 @Fork(1)
 public class ThesisStep {
-    private static final int STEPS = 100;
+    static final int STEPS = 100;
 
-    /** As {@link ComputeDevice#find} takes it, or {@code preferred}. */
+    /** As {@link io.github.circles2d.ComputeDevice#find} takes it, or {@code preferred}. */
     @Param("preferred")
     public String device;
 
@@ -62,10 +62,11 @@ public class ThesisStep {
     private final List<CircleDef> start = new ArrayList<>();
     private Circles2D world;
 
-    /** The circles after {@code from} steps, which the fastest device takes. */
+    /** The circles after {@code from} steps, which the fastest device takes in the fastest way: all give the same. */
     @Setup
     public void prepare() {
-        try (Circles2D first = Scene.THESIS.build(Circles2D.builder(), circles)) {
+        try (Circles2D first = Scene.THESIS.build(
+                Circles2D.builder().solver(Solver.IMPULSE).indexStrategy(IndexStrategy.grid()), circles)) {
             first.step(from);
             Snapshot now = first.snapshot();
             for (int i = 0; i < circles; i++) {
@@ -80,14 +81,10 @@ public class ThesisStep {
 
     @Setup(Level.Iteration)
     public void build() {
-        ComputeDevice on = device.equals("preferred")
-                ? ComputeDevice.preferred()
-                : ComputeDevice.find(device)
-                        .orElseThrow(() -> new IllegalArgumentException(
-                                "device = " + device + ": there are " + ComputeDevice.list()));
         world = Scene.THESIS.empty(
                 Circles2D.builder()
-                        .device(on)
+                        .device(Machine.device(device))
+                        .solver(Solver.IMPULSE)
                         .indexStrategy(IndexStrategy.named(strategy))
                         .collisionStore(store),
                 circles);

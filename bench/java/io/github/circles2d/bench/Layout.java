@@ -1,0 +1,71 @@
+package io.github.circles2d.bench;
+
+import io.github.circles2d.CircleDef;
+import io.github.circles2d.Circles2D;
+import io.github.circles2d.ComputeDevice;
+import io.github.circles2d.Snapshot;
+import io.github.circles2d.demo.Scene;
+
+/**
+ * The circles of the scene {@code pile} at rest, as numbers, so that other engines and other places can have the same.
+ *
+ * @param x centres, world units, in the unit square
+ * @param radius world units
+ */
+record Layout(float[] x, float[] y, float[] radius, float[] mass) {
+    static final Scene SCENE = Scene.PILE;
+
+    /** As the scene has them: all over the box, about to fall. */
+    static Layout start(int circles) {
+        // plain Java: nothing is stepped, so nothing need reach a device
+        try (Circles2D world = SCENE.build(Circles2D.builder().device(ComputeDevice.host()), circles)) {
+            Snapshot now = world.snapshot();
+            Layout layout = new Layout(new float[circles], new float[circles], new float[circles], new float[circles]);
+            for (int i = 0; i < circles; i++) {
+                layout.x[i] = now.x(i);
+                layout.y[i] = now.y(i);
+                layout.radius[i] = now.radius(i);
+                layout.mass[i] = now.mass(i);
+            }
+            return layout;
+        }
+    }
+
+    /**
+     * The same circles laid on the floor and on each other, as {@link Packing} does: a pile that nothing has to fall for. Nobody has
+     * balanced its forces: it gives way a little in the first steps.
+     */
+    static Layout packed(int circles) {
+        Layout layout = start(circles);
+        Packing.pack(layout.radius, layout.x, layout.y);
+        return layout;
+    }
+
+    int count() {
+        return x.length;
+    }
+
+    /** Mean radius, world units. */
+    double meanRadius() {
+        double sum = 0;
+        for (float r : radius) {
+            sum += r;
+        }
+        return sum / count();
+    }
+
+    /** A world with these circles and the rules of the scene. */
+    Circles2D world(Circles2D.Builder builder) {
+        Circles2D world = SCENE.empty(builder, count());
+        try {
+            CircleDef def = new CircleDef();
+            for (int i = 0; i < count(); i++) {
+                world.addCircle(def.position(x[i], y[i]).radius(radius[i]).mass(mass[i]));
+            }
+            return world;
+        } catch (RuntimeException e) {
+            world.close();
+            throw e;
+        }
+    }
+}
