@@ -96,8 +96,9 @@ static bool c2d_visit(float8 *circleA, float8 *circleB, float2 *memory, int i, i
 // each is read before the one ahead of it is done; what that one changes of its circles is passed on.
 static void c2d_solve_bucket(int bucket, c2d_numbers numbers, C2D_SOLVE) {
     int i = bucketStart[bucket];
+    const int last = bucketStart[bucket + 1];
     int k = listStart[i];
-    const int end = listStart[bucketStart[bucket + 1]];
+    const int end = listStart[last];
     if (k >= end) {
         return;
     }
@@ -106,6 +107,7 @@ static void c2d_solve_bucket(int bucket, c2d_numbers numbers, C2D_SOLVE) {
         i++;
         listEnd = listStart[i + 1];
     }
+    int nextEnd = listStart[min(i + 2, last)];
     int j = other[k];
     float2 remembered = memory[k];
     float8 a = body[i];
@@ -117,7 +119,8 @@ static void c2d_solve_bucket(int bucket, c2d_numbers numbers, C2D_SOLVE) {
         if (next == listEnd && next < end) {
             do {
                 nextI++;
-                listEnd = listStart[nextI + 1];
+                listEnd = nextEnd;
+                nextEnd = listStart[min(nextI + 2, last)];
             } while (listEnd == next);
         }
         const int afterJ = other[min(next + 1, end - 1)];

@@ -1,19 +1,19 @@
 package io.github.circles2d.bench;
 
-import io.github.circles2d.CircleDef;
 import io.github.circles2d.Circles2D;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Snapshot;
 import io.github.circles2d.Solver;
 import io.github.circles2d.StepStats;
+import io.github.circles2d.bench.peers.Standing;
 import io.github.circles2d.demo.Scene;
-import java.util.Arrays;
 
 /**
- * How well a scene stands after some steps, one row in Markdown: overlaps as fractions of the smaller radius, kinetic
- * energy in units of the sum of m g r, the height below which 99 % of the centres lie, circles outside, milliseconds a step on
- * the way there and over the last tenth of it, and, from there on, at 8 substeps; the state hash.
+ * How well a scene stands after some steps, one row in Markdown: contacts that overlap; mean and largest overlap as fractions of
+ * R, the largest radius (of {@code mixed}, that of the small circles), and of the smaller radius; kinetic energy in units of the
+ * sum of m g R; the height below which 99 % of the centres lie; circles outside; bytes of the device a circle; milliseconds a
+ * step on the way there and over the last tenth of it; the state hash.
  *
  * <pre>{@code
  * java -jar target/benchmarks.jar Quality DEVICE SCENE CIRCLES SUBSTEPS STEPS
@@ -45,54 +45,44 @@ public final class Quality {
             Snapshot now = world.snapshot();
             double after = (System.nanoTime() - start) / 1e6 / timed;
             StepStats stats = world.stats();
-            double g = Math.hypot(scene.gravityX(), scene.gravityY());
-            double weight = 0;
-            float[] heights = new float[now.count()];
-            for (int i = 0; i < now.count(); i++) {
-                weight += now.mass(i) * g * now.radius(i);
-                heights[i] = now.y(i);
+            int n = now.count();
+            float[] x = new float[n];
+            float[] y = new float[n];
+            float[] radius = new float[n];
+            float[] mass = new float[n];
+            double largest = 0;
+            double masses = 0;
+            for (int i = 0; i < n; i++) {
+                x[i] = now.x(i);
+                y[i] = now.y(i);
+                radius[i] = now.radius(i);
+                mass[i] = now.mass(i);
+                largest = Math.max(largest, radius[i]);
+                masses += mass[i];
             }
-            Arrays.sort(heights);
-            double eight = eight(scene, device, now);
+            double unit = scene == Scene.MIXED ? largest / 8 : largest;
+            double g = Math.hypot(scene.gravityX(), scene.gravityY());
+            float[] still = new float[n];
+            Standing standing = Standing.of(x, y, still, still, radius, mass, g, unit);
             System.out.printf(
-                    "| %s | %s | %,d | %s | %d | %d | %.4f | %.3f | %.1e | %.4f | %d | %.3f | %.3f | %.3f | %016x |%n",
+                    "| %s | %s | %,d | %s | %d | %d | %.4f | %.3f | %.4f | %.3f | %.1e | %.4f | %d | %.0f | %.3f | %.3f | %016x |%n",
                     device.name(),
                     scene.name(),
                     circles,
                     substeps == 0 ? "auto" : substeps,
                     steps,
                     stats.contacts(),
+                    standing.meanOverlap(),
+                    standing.maxOverlap(),
                     stats.meanOverlap(),
                     stats.maxOverlap(),
-                    weight > 0 ? stats.kineticEnergy() / weight : stats.kineticEnergy(),
-                    heights.length > 0 ? heights[(int) (0.99 * (heights.length - 1))] : 0,
+                    g > 0 ? stats.kineticEnergy() / (masses * g * unit) : stats.kineticEnergy(),
+                    standing.height(),
                     stats.outside(),
+                    (double) world.deviceMemory() / circles,
                     before,
                     after,
-                    eight,
                     world.stateHash());
-        }
-    }
-
-    /** Milliseconds a step of 8 substeps for the circles as they lie. */
-    private static double eight(Scene scene, ComputeDevice device, Snapshot now) {
-        Circles2D.Builder builder = Circles2D.builder()
-                .device(device)
-                .solver(Solver.SMALL_STEPS)
-                .indexStrategy(IndexStrategy.grid())
-                .substeps(8);
-        try (Circles2D world = scene.empty(builder, now.count())) {
-            CircleDef def = new CircleDef();
-            for (int i = 0; i < now.count(); i++) {
-                def.position(now.x(i), now.y(i)).radius(now.radius(i)).mass(now.mass(i));
-                world.addCircle(def.velocity(now.vx(i), now.vy(i)));
-            }
-            world.step(5);
-            world.snapshot();
-            long start = System.nanoTime();
-            world.step(20);
-            world.snapshot();
-            return (System.nanoTime() - start) / 1e6 / 20;
         }
     }
 }

@@ -6,7 +6,7 @@ import java.util.Arrays;
  * How well circles stand, from their centres alone, the same for every engine.
  *
  * @param contacts pairs that overlap
- * @param meanOverlap over those, a fraction of the smaller radius
+ * @param meanOverlap over those, a fraction of the smaller radius or of a given one
  * @param maxOverlap the deepest of them
  * @param energy sum of m v^2 / 2 over the sum of m g r
  * @param height below which 99 % of the centres lie, world units
@@ -14,9 +14,15 @@ import java.util.Arrays;
  */
 public record Standing(
         long contacts, double meanOverlap, double maxOverlap, double energy, double height, int outside) {
-    /** Looks at circles in the unit box. */
+    /** Looks at circles in the unit box; overlaps are fractions of the smaller radius. */
     public static Standing of(
             float[] x, float[] y, float[] vx, float[] vy, float[] radius, float[] mass, double gravity) {
+        return of(x, y, vx, vy, radius, mass, gravity, 0);
+    }
+
+    /** As the other; overlaps are fractions of {@code unit}, world units. */
+    public static Standing of(
+            float[] x, float[] y, float[] vx, float[] vy, float[] radius, float[] mass, double gravity, double unit) {
         int n = x.length;
         double largest = 0;
         double kinetic = 0;
@@ -34,7 +40,8 @@ public record Standing(
         }
         float[] heights = y.clone();
         Arrays.sort(heights);
-        return new Overlaps(x, y, radius, largest).standing(kinetic / weight, heights[(int) (0.99 * (n - 1))], outside);
+        return new Overlaps(x, y, radius, largest, unit)
+                .standing(kinetic / weight, heights[(int) (0.99 * (n - 1))], outside);
     }
 
     /** Pairs by cells as wide as the largest circle. */
@@ -42,6 +49,7 @@ public record Standing(
         private final float[] x;
         private final float[] y;
         private final float[] radius;
+        private final double unit;
         private final int side;
         private final int[] first;
         private final int[] next;
@@ -49,10 +57,11 @@ public record Standing(
         private double sum;
         private double max;
 
-        Overlaps(float[] x, float[] y, float[] radius, double largest) {
+        Overlaps(float[] x, float[] y, float[] radius, double largest, double unit) {
             this.x = x;
             this.y = y;
             this.radius = radius;
+            this.unit = unit;
             side = Math.max(1, (int) (1 / (2 * largest)));
             first = new int[side * side];
             next = new int[x.length];
@@ -87,7 +96,8 @@ public record Standing(
 
         private void pair(int i, int j) {
             double apart = Math.hypot((double) x[i] - x[j], (double) y[i] - y[j]);
-            double overlap = (radius[i] + (double) radius[j] - apart) / Math.min(radius[i], radius[j]);
+            double of = unit > 0 ? unit : Math.min(radius[i], radius[j]);
+            double overlap = (radius[i] + (double) radius[j] - apart) / of;
             if (overlap > 0) {
                 contacts++;
                 sum += overlap;
