@@ -35,11 +35,12 @@ import org.jocl.cl_kernel;
 
 /**
  * How long each kernel of a step takes on the device, by the device's own clock, for a scene after some steps. Scene {@code
- * packed} is the circles of {@code pile} laid out as they lie in a pile.
+ * packed} is the circles of {@code pile} laid out as they lie in a pile. With more than 60 steps a second, those before are of 1/60 s
+ * and have substeps of the same time, so that few substeps a step can be timed on a pile that more of them hold up.
  *
  * <pre>{@code
  * java -cp target/benchmarks.jar io.github.circles2d.opencl.StageTimes \
- *     DEVICE SCENE CIRCLES STEPS_BEFORE SOLVER SUBSTEPS STRATEGY STORE [WORK_GROUP]
+ *     DEVICE SCENE CIRCLES STEPS_BEFORE SOLVER SUBSTEPS STRATEGY STORE [WORK_GROUP [STEPS_A_SECOND]]
  * }</pre>
  */
 public final class StageTimes {
@@ -101,22 +102,11 @@ public final class StageTimes {
                 .findFirst()
                 .orElseThrow();
         Scene scene = args[1].equals("packed") ? Packed.SCENE : Scene.named(args[1]);
-        WorldConfig config = new WorldConfig(
-                1f / 60,
-                scene.gravityX(),
-                scene.gravityY(),
-                scene.restitution(),
-                0,
-                0,
-                1,
-                1,
-                IndexStrategy.named(args[6]),
-                CollisionStore.valueOf(args[7]),
-                Solver.valueOf(args[4]),
-                args.length > 8 ? Integer.parseInt(args[8]) : 0,
-                0,
-                Tuning.SMALL_WORLD,
-                Integer.parseInt(args[5]));
+        int substeps = Integer.parseInt(args[5]);
+        int perSecond = args.length > 9 ? Integer.parseInt(args[9]) : 60;
+        WorldConfig config = config(args, scene, perSecond, substeps);
+        // on the way there at 60 steps a second, with the same substeps
+        WorldConfig settling = config(args, scene, 60, substeps * perSecond / 60);
         FloatBuffer circle = direct(4 * circles);
         FloatBuffer velocities = direct(2 * circles);
         float maxRadius = 0;
@@ -138,6 +128,11 @@ public final class StageTimes {
                 stepper.step();
                 stepper.await();
                 take(null);
+            }
+            if (perSecond != 60) {
+                stages.download(circle, velocities);
+                stepper = new SmallPipeline(config, (OpenClSmallStages) stages);
+                stepper.upload(circle, velocities, circles, maxRadius);
             }
             Map<String, LongSummaryStatistics> times = new LinkedHashMap<>();
             long span = 0;
@@ -199,6 +194,25 @@ public final class StageTimes {
         }
         LAUNCHES.clear();
         return last - Math.min(first, last);
+    }
+
+    private static WorldConfig config(String[] args, Scene scene, int perSecond, int substeps) {
+        return new WorldConfig(
+                1f / perSecond,
+                scene.gravityX(),
+                scene.gravityY(),
+                scene.restitution(),
+                0,
+                0,
+                1,
+                1,
+                IndexStrategy.named(args[6]),
+                CollisionStore.valueOf(args[7]),
+                Solver.valueOf(args[4]),
+                args.length > 8 ? Integer.parseInt(args[8]) : 0,
+                0,
+                Tuning.SMALL_WORLD,
+                substeps);
     }
 
     private static FloatBuffer direct(int floats) {

@@ -44,12 +44,13 @@ public enum Solver {
      *   <li><b>Impulse.</b> {@code l' = max(0, l - (v_n + max(s, 0) / h) / (1/m_a + 1/m_b))}: the circles may close the gap,
      *       no more; the sum over the substep is clamped, not the part. For the next substep {@code l' + b (l' - l_last)}
      *       is applied at the start (warm start, extrapolated by b = {@value
-     *       io.github.circles2d.pipeline.Tuning#EXTRAPOLATE}).
+     *       io.github.circles2d.pipeline.Tuning#EXTRAPOLATE}), unless the normal turns by more than a radian in that time: along
+     *       another normal it would not be taken back but added to, and far too few substeps would make energy.
      *   <li><b>Restitution.</b> A contact without an impulse so far, whose circles approach faster than 4 g h before this
      *       substep's impulses, gets {@code l' = -(v_n + e v_before) / (1/m_a + 1/m_b)}. That is never repeated by a warm
      *       start.
-     *   <li><b>Positions.</b> A fifth of the overlap beyond 1 % of the smaller radius is undone, shared as the inverse
-     *       masses. It never enters the velocities, so it adds no energy.
+     *   <li><b>Positions.</b> A fifth of the overlap beyond 1 % of the smaller radius is undone, at most a fifth of that
+     *       radius, shared as the inverse masses. It never enters the velocities, so it adds no energy.
      * </ul>
      *
      * <p>Circles and walls may overlap by a few per cent of a radius, more while things fall fast; a centre never comes
@@ -59,7 +60,8 @@ public enum Solver {
      * <p><b>How many substeps</b> ({@link Circles2D.Builder#substeps}): the mean overlap of a pile H high of circles of
      * radius R is about 0.12 R times {@code (H g h^2 / (1.8 R^2))^0.6}. In the unit box, g = 1, 60 steps a second, circles
      * that cover 35 % of it: 16 substeps leave 0.004 R among 2,000 circles and 0.016 R among 20,000; 32 halve that. A
-     * circle should not go farther than its radius in a substep, or it may slip past another.
+     * circle should not go farther than its radius in a substep, or it may slip past another. Support travels some two rows of
+     * circles a substep: a pile that falls on faster than that gives way and sinks into itself for a while.
      */
     SMALL_STEPS
 }

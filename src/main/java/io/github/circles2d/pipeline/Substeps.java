@@ -125,7 +125,7 @@ public record Substeps(int count, float seconds, float[] numbers) {
             if (most <= 2 * Tuning.REACH && fall <= Tuning.FALL) {
                 break;
             }
-            substeps = (substeps + 1) / 2;
+            substeps--;
         }
         return substeps;
     }
