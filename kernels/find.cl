@@ -2,8 +2,8 @@
 // levels. By the grid, one work-item a circle; or by the index strategy, one work-item a pair. Twice: to count, and to fill
 // the lists. Twin of host.Find.
 
-// What find knows. `filled`: which of its candidates a circle lists; from `circles` on, how much of each list is filled from its
-// start. `found`: of each contact the other circle and the one in whose list it is.
+// What find knows. `filled`, from `circles` on: how much of each list is filled from its start; `found`: of each contact the
+// other circle and the one in whose list it is.
 #define C2D_FIND                                                                                                       \
     __global const float8 *body, __global const int8 *levels, __global const float *rule, __global const uint *status,   \
         int circles, __global int *listStart, __global int *filled, __global int *other, __global int2 *found
@@ -61,137 +61,81 @@ __kernel void c2d_find_fill(C2D_FIND, __global const int2 *table, ulong first, u
                   fall, true);
 }
 #else
-// The candidates of circle i on its own level where that is not folded: places first.x .. first.y - 1, of its row of cells, and
-// second.x .. second.y - 1, of the next.
-typedef struct {
-    int2 first;
-    int2 second;
-} c2d_candidates;
-
-static c2d_candidates c2d_candidates_of(int i, int8 level, int x, int y, __global const int *bucketStart) {
-    const int left = max(x - 1, 0);
-    const int right = min(x + 1, level.C2D_LAST_X);
-    c2d_candidates these = {(int2)(i + 1, bucketStart[c2d_bucket(level, right, y) + 1]), (int2)(0, 0)};
-    if (y < level.C2D_LAST_Y) {
-        these.second = (int2)(bucketStart[c2d_bucket(level, left, y + 1)],
-                              bucketStart[c2d_bucket(level, right, y + 1) + 1]);
-    }
-    return these;
-}
-
-// Where circle j is not on the level of circle i, or that level is folded: looks at one of them.
-static void c2d_find_one(int i, int j, float8 own, int column, int row, int8 level, bool same, bool folded, int *free,
-                         int end, C2D_FIND, float horizon, float fall, bool fill) {
-    const float8 there = body[j];
-    if (!c2d_near(own, there, rule, horizon, fall)) {
-        return;
-    }
-    if (folded) {
-        // a bucket holds circles of cells far apart
-        const int4 cell = c2d_cell(there, levels, rule);
-        if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
-            return;
-        }
-    }
-    if (!same) {
-        if (fill) {
-            found[listStart[j] + atomic_inc(&filled[circles + j])] = (int2)(i, j);
-        } else {
-            atomic_inc(&listStart[j + 1]);
-        }
-        return;
-    }
-    *free -= 1;
-    if (fill) {
-        found[*free] = (int2)(j, i);
-        int at = *free;
-        for (; at + 1 < end && other[at + 1] < j; at++) {
-            other[at] = other[at + 1];
-        }
-        other[at] = j;
-    }
-}
-
-// Circle i looks into all of the cells around its own of wider levels, and into half of those of its own level where that is
-// folded: from the last to the first, so that its own list fills up from its end, which is `free`.
-static int c2d_find_around(int i, float8 own, int4 ownCell, bool folds, int free, C2D_FIND,
-                           __global const int *bucketStart, float horizon, float fall, bool fill) {
-    const int end = free;
+// Circle i looks into half of the cells around its own, and into all of those of wider levels: from the last to the first,
+// so that its own list fills up from its end. Returns how many of its level it found.
+static int c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, float horizon, float fall, bool fill) {
+    const float8 own = body[i];
+    const int4 ownCell = c2d_cell(own, levels, rule);
     const int levelCount = levels[0].C2D_LEVELS;
-    for (int number = folds ? ownCell.z : ownCell.z + 1; number < levelCount; number++) {
+    const int end = fill ? listStart[i + 1] : 0;
+    int free = end;
+    for (int number = ownCell.z; number < levelCount; number++) {
         const int8 level = levels[1 + number];
         const bool same = number == ownCell.z;
         const bool folded = c2d_is_folded(level);
         const int x = ownCell.x >> level.C2D_SHIFT;
         const int y = ownCell.y >> level.C2D_SHIFT;
+        const int right = min(x + 1, level.C2D_LAST_X);
         for (int row = min(y + 1, level.C2D_LAST_Y); row >= max(same ? y : y - 1, 0); row--) {
+            // cells of a row are next to each other, save where the level is folded
             const int left = same && row == y ? x : max(x - 1, 0);
-            for (int column = min(x + 1, level.C2D_LAST_X); column >= left; column--) {
+            for (int column = right; column >= left; column = folded ? column - 1 : -1) {
                 const int bucket = c2d_bucket(level, column, row);
-                const int first = same && row == y && column == x ? i + 1 : bucketStart[bucket];
+                const int firstBucket = folded ? bucket : bucket - (right - left);
+                const bool home = same && row == y && (!folded || column == x);
+                const int first = home ? i + 1 : bucketStart[firstBucket];
                 for (int j = bucketStart[bucket + 1] - 1; j >= first; j--) {
-                    c2d_find_one(i, j, own, column, row, level, same, folded, &free, end, body, levels, rule, status,
-                                 circles, listStart, filled, other, found, horizon, fall, fill);
+                    const float8 there = body[j];
+                    if (!c2d_near(own, there, rule, horizon, fall)) {
+                        continue;
+                    }
+                    if (folded) {
+                        // a bucket holds circles of cells far apart
+                        const int4 cell = c2d_cell(there, levels, rule);
+                        if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
+                            continue;
+                        }
+                    }
+                    if (!same) {
+                        if (fill) {
+                            found[listStart[j] + atomic_inc(&filled[circles + j])] = (int2)(i, j);
+                        } else {
+                            atomic_inc(&listStart[j + 1]);
+                        }
+                        continue;
+                    }
+                    free--;
+                    if (fill) {
+                        found[free] = (int2)(j, i);
+                        int at = free;
+                        // only a folded level is not in order yet
+                        for (; folded && at + 1 < end && other[at + 1] < j; at++) {
+                            other[at] = other[at + 1];
+                        }
+                        other[at] = j;
+                    }
                 }
             }
         }
     }
-    return free;
+    return end - free;
 }
 
-// Also remembers, as bits, which of a circle's candidates it lists, in `filled`, up to `circles`; -1 where they are too many.
 __kernel void c2d_find_count(C2D_FIND, __global const int *bucketStart, float horizon, float fall) {
     const int i = (int)get_global_id(0);
     if (i >= circles || status[C2D_STALLED] != 0u) {
         return;
     }
-    const float8 own = body[i];
-    const int4 cell = c2d_cell(own, levels, rule);
-    const int8 level = levels[1 + cell.z];
-    const bool folds = c2d_is_folded(level);
-    int count = -c2d_find_around(i, own, cell, folds, 0, body, levels, rule, status, circles, listStart, filled, other,
-                                 found, bucketStart, horizon, fall, false);
-    if (!folds) {
-        const c2d_candidates these =
-            c2d_candidates_of(i, level, cell.x >> level.C2D_SHIFT, cell.y >> level.C2D_SHIFT, bucketStart);
-        const int turn = these.first.y - these.first.x;
-        const int all = turn + these.second.y - these.second.x;
-        uint listed = 0u;
-        for (int c = 0; c < all; c++) {
-            const int j = c < turn ? these.first.x + c : these.second.x + c - turn;
-            const bool near = c2d_near(own, body[j], rule, horizon, fall);
-            count += near ? 1 : 0;
-            listed |= near && c < 31 ? 1u << c : 0u;
-        }
-        filled[i] = all > 31 ? -1 : (int)listed;
-    }
+    const int count = c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found,
+                                      bucketStart, horizon, fall, false);
     atomic_add(&listStart[i + 1], count);
 }
 
 __kernel void c2d_find_fill(C2D_FIND, __global const int *bucketStart, float horizon, float fall) {
     const int i = (int)get_global_id(0);
-    if (i >= circles || status[C2D_STALLED] != 0u) {
-        return;
-    }
-    const float8 own = body[i];
-    const int4 cell = c2d_cell(own, levels, rule);
-    const int8 level = levels[1 + cell.z];
-    const bool folds = c2d_is_folded(level);
-    int free = c2d_find_around(i, own, cell, folds, listStart[i + 1], body, levels, rule, status, circles, listStart,
-                               filled, other, found, bucketStart, horizon, fall, true);
-    if (!folds) {
-        const c2d_candidates these =
-            c2d_candidates_of(i, level, cell.x >> level.C2D_SHIFT, cell.y >> level.C2D_SHIFT, bucketStart);
-        const int turn = these.first.y - these.first.x;
-        const int listed = filled[i];
-        for (int c = turn + these.second.y - these.second.x - 1; c >= 0; c--) {
-            const int j = c < turn ? these.first.x + c : these.second.x + c - turn;
-            if (listed >= 0 ? (listed >> c & 1) != 0 : c2d_near(own, body[j], rule, horizon, fall)) {
-                free--;
-                found[free] = (int2)(j, i);
-                other[free] = j;
-            }
-        }
+    if (i < circles && status[C2D_STALLED] == 0u) {
+        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, horizon,
+                        fall, true);
     }
 }
 #endif

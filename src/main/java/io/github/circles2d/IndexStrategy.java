@@ -3,6 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.pipeline.IndexStrategies;
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * How a work-item finds its pair of circles (thesis, chapter 4, "MTV buffer design").
@@ -126,6 +127,17 @@ public interface IndexStrategy {
         return IndexStrategies.GRID;
     }
 
+    /**
+     * The fastest of the built-in strategies for the device, the solver and the {@link Circles2D.Builder#capacity capacity} of
+     * a world, found by short trials when it is built (the thesis' outlook, chapter 6: to pick the structure for the device
+     * at run time). Whether a small world is done by one work-group is tried too. The choice is kept for worlds of the same
+     * kind, up to a factor of two in capacity, as long as the process lives: the first such world takes up to a few seconds
+     * to build, mostly to compile kernels. It never changes the result.
+     */
+    static IndexStrategy auto() {
+        return IndexStrategies.AUTO;
+    }
+
     /** The built-in strategies, the default last. */
     static List<IndexStrategy> builtIn() {
         return List.of(formula(), pairTable(), rowSearch(), grid(), folded());
@@ -137,7 +149,7 @@ public interface IndexStrategy {
      * @throws IllegalArgumentException if there is none; the message lists them
      */
     static IndexStrategy named(String name) {
-        return builtIn().stream()
+        return Stream.concat(builtIn().stream(), Stream.of(auto()))
                 .filter(strategy -> strategy.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("strategy = " + name + ": must be one of "

@@ -117,7 +117,16 @@ final class WorldBuilder implements Circles2D.Builder {
 
     @Override
     public Circles2D build() {
-        WorldConfig config = new WorldConfig(
+        ComputeDevice on = device != null ? device : ComputeDevice.preferred();
+        if (strategy != IndexStrategy.auto()) {
+            return new Circles2D(on, config(strategy, smallWorld), capacity);
+        }
+        AutoChoice choice = AutoChoice.of(on, solver, store, capacity);
+        return new Circles2D(on, config(choice.strategy(), choice.smallWorld()), capacity);
+    }
+
+    private WorldConfig config(IndexStrategy chosen, int largestSmallWorld) {
+        return new WorldConfig(
                 timeStep,
                 gravityX,
                 gravityY,
@@ -126,13 +135,12 @@ final class WorldBuilder implements Circles2D.Builder {
                 minY,
                 maxX,
                 maxY,
-                strategy,
+                chosen,
                 store,
                 solver,
                 workGroup,
                 pairsPerSlice,
-                smallWorld,
+                largestSmallWorld,
                 substeps);
-        return new Circles2D(device != null ? device : ComputeDevice.preferred(), config, capacity);
     }
 }

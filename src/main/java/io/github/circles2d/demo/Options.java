@@ -20,7 +20,8 @@ final class Options {
               --device NAME|INDEX  where it runs: gpu, cpu, host, a part of a name, or an index of --list
               --solver NAME        small_steps (default, piles that stand) or impulse (the thesis' rule)
               --substeps N         substeps of a step of small_steps; without it they are chosen before each step
-              --strategy NAME      formula, pair_table, row_search, folded or grid; default folded with impulse, else grid
+              --strategy NAME      formula, pair_table, row_search, folded, grid or auto; default folded
+                                   with impulse, else grid
               --store NAME         compact (default) or triangle
               --steps N            end after N steps; headless or with --screenshot the default is 1200
               --screenshot FILE    save a picture at the end, FILE.png

@@ -113,6 +113,19 @@ public abstract class IndexStrategies implements IndexStrategy {
         }
     };
 
+    /** Stands for one of the others until a world is built. */
+    public static final IndexStrategy AUTO = new IndexStrategies("auto") {
+        @Override
+        public String kernelSource() {
+            throw new UnsupportedOperationException("auto() is another strategy in every world");
+        }
+
+        @Override
+        public long pairAt(long pair, long first, int circles, ByteBuffer table) {
+            throw new UnsupportedOperationException("auto() is another strategy in every world");
+        }
+    };
+
     private final String name;
 
     private IndexStrategies(String name) {

@@ -88,6 +88,19 @@ public final class Tuning {
     /** Largest world, in circles, that one work-group colours and resolves. 0 (never) to some ten thousand. */
     public static final int SMALL_WORLD = 4096;
 
+    // ---- IndexStrategy.auto()
+
+    /** Circles of a trial at most: beyond, what is fastest is the same. 2^12 to 2^20. */
+    public static final int AUTO_TRIAL_CIRCLES = 1 << 16;
+
+    /** Circles up to which strategies by pairs are tried, besides the grid. 2^10 to 2^15. */
+    public static final int AUTO_TRIAL_PAIRWISE = 1 << 12;
+
+    /** Rounds of a trial, of which the quickest counts, and steps of a round. 2 to 10. */
+    public static final int AUTO_TRIAL_ROUNDS = 4;
+
+    public static final int AUTO_TRIAL_STEPS = 3;
+
     // ---- Solver.SMALL_STEPS
 
     /** Most substeps of a step. */
