@@ -1,11 +1,13 @@
 package io.github.circles2d;
 
 import io.github.circles2d.demo.Scene;
+import java.lang.management.ManagementFactory;
 import java.lang.ref.WeakReference;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.management.ObjectName;
 
 /** What the child processes of {@link ForkedJvmTest} do; the first argument names it. */
 final class ForkedJvm {
@@ -23,6 +25,12 @@ final class ForkedJvm {
                 System.out.println("hash=" + inLoader() + " " + inLoader());
             }
             case "leak" -> leak();
+            case "signals" -> {
+                ComputeDevice.list();
+                signals("listed", 0);
+                System.out.println("hash=" + hash());
+                signals("stepped", 0);
+            }
             case "threads" -> System.out.println("hash=" + hashOfAPile());
             default -> throw new IllegalArgumentException(args[0]);
         }
@@ -65,6 +73,26 @@ final class ForkedJvm {
             method.setAccessible(true);
             return (String) method.invoke(null);
         }
+    }
+
+    private static void signals(String when, int zero) throws Exception {
+        System.out.println(when + " " + handler());
+        try {
+            System.out.println(when + ": a division by zero gives " + 1 / zero);
+        } catch (ArithmeticException e) {
+            System.out.println(when + ": a division by zero throws");
+        }
+    }
+
+    /** Who handles the signal for a bad address. */
+    private static String handler() throws Exception {
+        Object info = ManagementFactory.getPlatformMBeanServer()
+                .invoke(new ObjectName("com.sun.management:type=DiagnosticCommand"), "vmInfo", null, null);
+        return info.toString()
+                .lines()
+                .filter(line -> line.contains("SIGSEGV: "))
+                .findFirst()
+                .orElseThrow();
     }
 
     private static URL url(String file) {

@@ -109,6 +109,7 @@ final class Kernel implements AutoCloseable {
     Kernel range(long count, int group, long perLaunch) {
         int size = Math.max(1, Math.min(group, maxGroup));
         local[0] = size;
+        session.compiles = true;
         items = (count + size - 1) / size * size;
         itemsPerLaunch = Math.max(size, perLaunch / size * size);
         return this;

@@ -48,6 +48,7 @@ public final class OpenClDevices {
         for (cl_platform_id platform : platforms) {
             addDevices(api, platform, devices);
         }
+        SignalCanary.handBack();
         return devices;
     }
 

@@ -60,6 +60,7 @@ final class Program implements AutoCloseable {
         String options =
                 OPTIONS + (device.correctlyRounded ? ROUNDED : "") + System.getProperty("circles2d.buildOptions", "");
         int status = session.api.buildProgram(program, device.id, options);
+        SignalCanary.handBack();
         if (status == CL.CL_BUILD_PROGRAM_FAILURE) {
             throw new KernelBuildException(device.name(), options, log());
         }

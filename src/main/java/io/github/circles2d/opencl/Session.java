@@ -19,6 +19,8 @@ final class Session implements AutoCloseable {
     final cl_command_queue queue;
     private final Deque<AutoCloseable> owned = new ArrayDeque<>();
     private long bytes;
+    /** Kernels have a new range: some drivers compile them for it when they run. */
+    boolean compiles;
 
     Session(OpenClDevice device) {
         this.device = device;
@@ -35,6 +37,7 @@ final class Session implements AutoCloseable {
         Cl.check("clCreateCommandQueue", status[0]);
         queue = created;
         SignalCanary.check();
+        SignalCanary.handBack();
     }
 
     /** Takes over a resource: it is closed with the session unless it is closed before. */

@@ -20,6 +20,7 @@ final class State {
     final DeviceBuffer velocities;
     int circles;
 
+    private final Session session;
     private final DeviceBuffer whole;
     private final int alignment;
     private long circleAt;
@@ -34,6 +35,7 @@ final class State {
     private int updatesSeen;
 
     State(Session session) {
+        this.session = session;
         alignment = session.device.partAlignment;
         whole = new DeviceBuffer(session, "state");
         status = new DeviceBuffer(session, "status");
@@ -83,6 +85,10 @@ final class State {
     Status await() {
         copyWhole = oneTransfer();
         whole.read(0, copyPointer, copyWhole ? bytes : STATUS_BYTES);
+        if (session.compiles) {
+            session.compiles = false;
+            SignalCanary.handBack();
+        }
         int updates = copy.getInt(8) - updatesSeen;
         updatesSeen = copy.getInt(8);
         return done.set(Integer.toUnsignedLong(copy.getInt(0)), copy.getInt(4) != 0, updates);
