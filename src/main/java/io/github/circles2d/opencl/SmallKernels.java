@@ -36,7 +36,17 @@ final class SmallKernels {
                     config.strategy().kernelSource()));
         }
         for (String file : List.of(
-                "detect", "small", "scan", "grid", "find", "match", "integrate", "solve", "stats", "stats_lists")) {
+                "detect",
+                "small",
+                "scan",
+                "grid",
+                "find",
+                "match",
+                "integrate",
+                "visit",
+                "solve",
+                "stats",
+                "stats_lists")) {
             sources.add(Program.file(file + ".cl"));
         }
         return Program.build(
