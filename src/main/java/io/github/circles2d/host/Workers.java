@@ -3,6 +3,8 @@ package io.github.circles2d.host;
 import io.github.circles2d.pipeline.Tuning;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Shares the work of a stage among the threads of Java's common pool, in parts that touch nothing in common: who does which
@@ -14,13 +16,23 @@ final class Workers {
         void run(int part, int from, int end);
     }
 
-    /** One part; used again for every run. */
+    /**
+     * One part; used again for every run, so it never completes as the pool understands it: a task that completes and starts
+     * again loses the one who waits for it. Whoever opens it first does it, a thread of the pool or the one that waits.
+     */
     @SuppressWarnings("serial")
     private static final class Task extends ForkJoinTask<Void> {
+        private static final int OPEN = 0;
+        private static final int TAKEN = 1;
+        private static final int DONE = 2;
+
+        private final AtomicInteger progress = new AtomicInteger(DONE);
+        private final AtomicBoolean queued = new AtomicBoolean();
         private final int part;
         private Work work;
         private int from;
         private int end;
+        private Throwable failure;
 
         Task(int part) {
             this.part = part;
@@ -36,8 +48,42 @@ final class Workers {
 
         @Override
         protected boolean exec() {
-            work.run(part, from, end);
-            return true;
+            queued.set(false);
+            attempt();
+            return false;
+        }
+
+        void start(Work newWork, int newFrom, int newEnd) {
+            work = newWork;
+            from = newFrom;
+            end = newEnd;
+            failure = null;
+            progress.set(OPEN);
+            if (queued.compareAndSet(false, true)) {
+                ForkJoinPool.commonPool().execute(this);
+            }
+        }
+
+        void attempt() {
+            if (progress.compareAndSet(OPEN, TAKEN)) {
+                try {
+                    work.run(part, from, end);
+                } catch (RuntimeException | Error e) {
+                    failure = e;
+                } finally {
+                    progress.set(DONE);
+                }
+            }
+        }
+
+        void await() {
+            for (int turns = 0; progress.get() != DONE; turns++) {
+                if (turns < Tuning.HOST_SPINS) {
+                    Thread.onSpinWait();
+                } else {
+                    Thread.yield();
+                }
+            }
         }
     }
 
@@ -62,23 +108,26 @@ final class Workers {
             return;
         }
         for (int part = 1; part < parts; part++) {
-            Task task = tasks[part];
-            task.work = work;
-            task.from = (int) ((long) items * part / parts);
-            task.end = (int) ((long) items * (part + 1) / parts);
-            task.reinitialize();
-            ForkJoinPool.commonPool().execute(task);
+            tasks[part].start(work, (int) ((long) items * part / parts), (int) ((long) items * (part + 1) / parts));
         }
         try {
             work.run(0, 0, items / parts);
         } finally {
             for (int part = parts - 1; part > 0; part--) {
-                tasks[part].quietlyJoin();
+                tasks[part].attempt();
+            }
+            for (int part = 1; part < parts; part++) {
+                tasks[part].await();
             }
         }
         for (int part = 1; part < parts; part++) {
-            // throws what the part threw
-            tasks[part].join();
+            Throwable failure = tasks[part].failure;
+            if (failure instanceof Error error) {
+                throw error;
+            }
+            if (failure != null) {
+                throw (RuntimeException) failure;
+            }
         }
     }
 }

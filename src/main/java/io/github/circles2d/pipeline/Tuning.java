@@ -200,6 +200,9 @@ public final class Tuning {
     /** Buckets of one colour up to which the levels from there on are solved by one work-group. 0 (never) to 4,096. */
     public static final int NARROW = 1024;
 
+    /** Turns that plain Java waits for another thread at full speed before it yields. 0 to 10^5; a turn takes some 10 ns. */
+    public static final int HOST_SPINS = 2000;
+
     /** Fewest circles or contacts that plain Java gives to another thread: waking one takes some 20 us. 500 to 10,000. */
     public static final int HOST_ITEMS = 2000;
 
