@@ -122,10 +122,7 @@ __kernel void c2d_load(__global const float4 *circle, __global const float2 *vel
     body[i] = (float8)(c.x, c.y, v.x, v.y, kick.x, kick.y, c.z, 1.0f / c.w);
     if (!known) {
         id[i] = i;
-        listStart[i + 1] = old > 0 ? listStart[old] : 0;
-    }
-    if (old == 0 && i == 0) {
-        listStart[0] = 0;
+        listStart[i + 1] = listStart[old];
     }
 }
 

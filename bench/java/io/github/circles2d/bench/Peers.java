@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /**
  * The scene {@code pile} in other engines that a Java game can use: dyn4j, JBox2D and libGDX's Box2D, beside Circles2D on every device.
@@ -23,6 +24,18 @@ import java.util.Map;
  * {@code --draw} measures nothing.
  */
 public final class Peers {
+    /** What is measured of each engine and size. */
+    private static final List<String> FIGURES = List.of(
+            "falling ms",
+            "piled ms",
+            "steps",
+            "contacts",
+            "mean overlap",
+            "max overlap",
+            "energy",
+            "height",
+            "outside");
+
     private Peers() {}
 
     /** As the class comment says. */
@@ -32,17 +45,7 @@ public final class Peers {
         Rows rows = new Rows(
                 folder.resolve("peers.csv"),
                 2,
-                "engine",
-                "circles",
-                "falling ms",
-                "piled ms",
-                "steps",
-                "contacts",
-                "mean overlap",
-                "max overlap",
-                "energy",
-                "height",
-                "outside");
+                Stream.concat(Stream.of("engine", "circles"), FIGURES.stream()).toArray(String[]::new));
         if (!args.drawOnly()) {
             rows.measure("Circles2D " + Machine.version("io.github.circles2d", "circles2d") + ", dyn4j "
                     + org.dyn4j.Version.getVersion() + ", JBox2D "
@@ -153,20 +156,10 @@ public final class Peers {
 
     private static void add(Markdown page, Map<String, String> row) {
         List<Object> cells = new ArrayList<>(List.of(Markdown.count(row.get("circles")), row.get("engine")));
-        List.of(
-                        "falling ms",
-                        "piled ms",
-                        "steps",
-                        "contacts",
-                        "mean overlap",
-                        "max overlap",
-                        "energy",
-                        "height",
-                        "outside")
-                .forEach(column -> cells.add(
-                        column.equals("steps") || column.equals("outside")
-                                ? row.get(column)
-                                : Markdown.figure(row.get(column))));
+        FIGURES.forEach(column -> cells.add(
+                column.equals("steps") || column.equals("outside")
+                        ? row.get(column)
+                        : Markdown.figure(row.get(column))));
         page.row(cells.toArray());
     }
 }

@@ -46,9 +46,8 @@ record AutoChoice(IndexStrategy strategy, int smallWorld) {
         List<AutoChoice> all = new ArrayList<>();
         boolean triangle = kind.store == CollisionStore.TRIANGLE && kind.solver == Solver.IMPULSE;
         for (IndexStrategy strategy : IndexStrategy.builtIn()) {
-            // only pairs have a triangle; beyond some circles only the grid is worth a trial
-            boolean worth = strategy.pairwise() ? kind.circles <= Tuning.AUTO_TRIAL_PAIRWISE : !triangle;
-            if (worth || triangle && strategy.pairwise()) {
+            // only pairs have a triangle; without one, beyond some circles only the grid is worth a trial
+            if (strategy.pairwise() ? triangle || kind.circles <= Tuning.AUTO_TRIAL_PAIRWISE : !triangle) {
                 all.add(new AutoChoice(strategy, Tuning.SMALL_WORLD));
                 if (kind.circles <= Tuning.SMALL_WORLD) {
                     all.add(new AutoChoice(strategy, 0));
@@ -73,7 +72,7 @@ record AutoChoice(IndexStrategy strategy, int smallWorld) {
             fill(world, kind.circles);
             world.step();
             world.snapshot();
-            for (int round = 0; round < Tuning.AUTO_TRIAL_ROUNDS && least > 0; round++) {
+            for (int round = 0; round < Tuning.AUTO_TRIAL_ROUNDS; round++) {
                 long start = System.nanoTime();
                 world.step(Tuning.AUTO_TRIAL_STEPS);
                 world.snapshot();

@@ -138,7 +138,7 @@ public interface IndexStrategy {
         return IndexStrategies.AUTO;
     }
 
-    /** The built-in strategies, the default last. */
+    /** The built-in strategies, {@link #auto()} left out. */
     static List<IndexStrategy> builtIn() {
         return List.of(formula(), pairTable(), rowSearch(), grid(), folded());
     }

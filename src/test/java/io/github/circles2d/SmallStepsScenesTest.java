@@ -4,12 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.github.circles2d.demo.Scene;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** How the scenes fare under {@link Solver#SMALL_STEPS}; each test says what it is to reach. */
@@ -18,18 +15,8 @@ class SmallStepsScenesTest {
         return Circles2D.builder().device(device).solver(Solver.SMALL_STEPS).indexStrategy(IndexStrategy.grid());
     }
 
-    static List<Arguments> restitutions() {
-        List<Arguments> all = new ArrayList<>();
-        TestDevices.both().forEach(device -> {
-            for (float restitution : new float[] {0, 0.5f, 1}) {
-                all.add(Arguments.of(device, restitution));
-            }
-        });
-        return all;
-    }
-
     /** Kinetic and potential energy, from the circles as they are now. */
-    private static double energy(Scene scene, Snapshot now) {
+    static double energy(Scene scene, Snapshot now) {
         double energy = 0;
         for (int i = 0; i < now.count(); i++) {
             double vx = now.vx(i);
@@ -62,7 +49,7 @@ class SmallStepsScenesTest {
      * off by.
      */
     @ParameterizedTest
-    @MethodSource("restitutions")
+    @MethodSource("io.github.circles2d.ConservationTest#restitutions")
     void bulletsStayInsideAndGainNoEnergy(Supplier<ComputeDevice> device, float restitution) {
         Scene scene = new Scene("bullets", 0, -1, restitution, Scene.BULLETS.circles());
         try (Circles2D world = scene.build(builder(device.get()), 500)) {

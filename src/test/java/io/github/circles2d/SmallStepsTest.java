@@ -107,22 +107,13 @@ class SmallStepsTest {
     @ValueSource(ints = {1, 2, 4})
     void farTooFewSubstepsGainNoEnergy(int substeps) {
         try (Circles2D world = Scene.PILE.build(builder().substeps(substeps), 5000)) {
-            double before = energy(world);
+            double before = SmallStepsScenesTest.energy(Scene.PILE, world.snapshot());
             for (int round = 0; round < 8; round++) {
                 world.step(15);
-                assertTrue(energy(world) <= before, "round " + round + ": " + energy(world) + " of " + before);
+                double now = SmallStepsScenesTest.energy(Scene.PILE, world.snapshot());
+                assertTrue(now <= before, "round " + round + ": " + now + " of " + before);
             }
         }
-    }
-
-    /** Kinetic, and potential above the floor. */
-    private static double energy(Circles2D world) {
-        double energy = world.stats().kineticEnergy();
-        Snapshot now = world.snapshot();
-        for (int i = 0; i < now.count(); i++) {
-            energy += now.mass(i) * now.y(i);
-        }
-        return energy;
     }
 
     @Test

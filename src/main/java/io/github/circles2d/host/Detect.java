@@ -1,22 +1,15 @@
 package io.github.circles2d.host;
 
-import io.github.circles2d.CapacityException;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.pipeline.Slices;
 import io.github.circles2d.pipeline.WorldConfig;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 
 /** Twin of {@code kernels/detect.cl}: finds the circles that overlap and the vector that parts them. */
 final class Detect {
-    /** Slices of 2^27 pairs: a table of all pairs is then as large as a Java buffer can be. */
-    private static final long PAIRS_PER_SLICE = 1L << 27;
-
     private final WorldConfig config;
     private final State state;
     private final Contacts contacts;
-    private Slices slices = Slices.NONE;
-    private ByteBuffer[] tables = {};
+    private final PairSource pairs;
     /** The thesis' triangle, (x, y) a pair, a slice each; empty for {@link io.github.circles2d.CollisionStore#COMPACT}. */
     private float[][] collision = {};
 
@@ -24,46 +17,35 @@ final class Detect {
         this.config = config;
         this.state = state;
         this.contacts = contacts;
+        pairs = new PairSource(config);
     }
 
     /** Makes the look-up tables and the triangle for as many circles as there are. */
     void prepare() {
-        if (slices.circles() == state.circles || !config.strategy().pairwise()) {
+        if (pairs.slices().circles() == state.circles || !config.strategy().pairwise()) {
             return;
         }
-        long most = config.pairsPerSlice() > 0 ? config.pairsPerSlice() : PAIRS_PER_SLICE;
-        Slices wanted = Slices.of(state.circles, most);
-        IndexStrategy strategy = config.strategy();
-        slices = Slices.NONE;
-        tables = new ByteBuffer[wanted.count()];
-        collision = new float[wanted.count()][];
-        for (int s = 0; s < wanted.count(); s++) {
-            long bytes = strategy.tableBytes(state.circles, wanted.pairs(s));
-            boolean triangle = config.triangle();
-            if (bytes > Integer.MAX_VALUE - 64) {
-                throw new CapacityException("the table of strategy " + strategy.name() + " for " + state.circles
-                        + " circles takes " + bytes + " bytes; plain Java has room for " + (Integer.MAX_VALUE - 64));
-            }
+        collision = new float[0][];
+        Slices slices = pairs.prepare(state.circles);
+        float[][] made = new float[slices.count()][];
+        for (int s = 0; s < made.length; s++) {
             try {
-                tables[s] = ByteBuffer.allocate((int) bytes).order(ByteOrder.nativeOrder());
-                collision[s] = new float[triangle ? (int) (2 * wanted.pairs(s)) : 0];
+                made[s] = new float[config.triangle() ? (int) (2 * slices.pairs(s)) : 0];
             } catch (OutOfMemoryError e) {
-                tables = new ByteBuffer[0];
-                collision = new float[0][];
-                throw new CapacityException("no memory for the pairs of " + state.circles + " circles: "
-                        + wanted.count() + " slices of " + (bytes + (triangle ? 8 * wanted.pairs(s) : 0)) + " bytes");
+                pairs.release();
+                throw pairs.noMemory(slices, s);
             }
-            strategy.fillTable(state.circles, wanted.first(s), wanted.pairs(s), tables[s]);
         }
-        slices = wanted;
+        collision = made;
     }
 
     void run() {
         boolean triangle = config.triangle();
+        Slices slices = pairs.slices();
         for (int s = 0; s < slices.count(); s++) {
             long first = slices.first(s);
             for (long pair = first; pair < first + slices.pairs(s); pair++) {
-                long packed = config.strategy().pairAt(pair, first, state.circles, tables[s]);
+                long packed = pairs.pairAt(pair, first, s);
                 int i = IndexStrategy.first(packed);
                 int j = IndexStrategy.second(packed);
                 if (triangle) {
@@ -144,13 +126,13 @@ final class Detect {
 
     /** The thesis' second walk over the triangle, {@code c2d_colour_collect}. */
     void collect() {
-        for (int s = 0; s < slices.count(); s++) {
-            long first = slices.first(s);
+        for (int s = 0; s < collision.length; s++) {
+            long first = pairs.slices().first(s);
             for (int k = 0; 2 * k < collision[s].length; k++) {
                 float x = collision[s][2 * k];
                 float y = collision[s][2 * k + 1];
                 if (x != 0 || y != 0) {
-                    long packed = config.strategy().pairAt(first + k, first, state.circles, tables[s]);
+                    long packed = pairs.pairAt(first + k, first, s);
                     contacts.append(IndexStrategy.first(packed), IndexStrategy.second(packed), x, y);
                 }
             }

@@ -25,9 +25,18 @@ final class PairSource {
         this.config = config;
     }
 
-    private void prepare(int circles) {
+    /** The pairs as they are now, of so many circles as {@link #prepare} was last given. */
+    Slices slices() {
+        return slices;
+    }
+
+    /** Makes the look-up tables for so many circles, unless they are there. */
+    Slices prepare(int circles) {
+        if (slices.circles() == circles) {
+            return slices;
+        }
         Slices wanted = Slices.of(circles, config.pairsPerSlice() > 0 ? config.pairsPerSlice() : PAIRS_PER_SLICE);
-        slices = Slices.NONE;
+        release();
         tables = new ByteBuffer[wanted.count()];
         for (int s = 0; s < wanted.count(); s++) {
             long bytes = config.strategy().tableBytes(circles, wanted.pairs(s));
@@ -39,24 +48,41 @@ final class PairSource {
             try {
                 tables[s] = ByteBuffer.allocate((int) bytes).order(ByteOrder.nativeOrder());
             } catch (OutOfMemoryError e) {
-                tables = new ByteBuffer[0];
-                throw new CapacityException("no memory for the pairs of " + circles + " circles: " + wanted.count()
-                        + " slices of " + bytes + " bytes");
+                release();
+                throw noMemory(wanted, s);
             }
             config.strategy().fillTable(circles, wanted.first(s), wanted.pairs(s), tables[s]);
         }
         slices = wanted;
+        return slices;
+    }
+
+    /** Gives the memory of the tables back. */
+    void release() {
+        slices = Slices.NONE;
+        tables = new ByteBuffer[0];
+    }
+
+    /** What to throw where Java has no memory for a slice: its table, and its part of the triangle if there is one. */
+    CapacityException noMemory(Slices wanted, int slice) {
+        long pairs = wanted.pairs(slice);
+        long bytes = config.strategy().tableBytes(wanted.circles(), pairs) + (config.triangle() ? 8 * pairs : 0);
+        return new CapacityException("no memory for the pairs of " + wanted.circles() + " circles: " + wanted.count()
+                + " slices of " + bytes + " bytes");
+    }
+
+    /** The pair of an index in a slice, which begins with index {@code first}; packed. */
+    long pairAt(long pair, long first, int slice) {
+        return config.strategy().pairAt(pair, first, slices.circles(), tables[slice]);
     }
 
     /** Every pair of so many circles. */
     void forEach(int circles, PairAction action) {
-        if (slices.circles() != circles) {
-            prepare(circles);
-        }
+        prepare(circles);
         for (int s = 0; s < slices.count(); s++) {
             long first = slices.first(s);
             for (long pair = first; pair < first + slices.pairs(s); pair++) {
-                long packed = config.strategy().pairAt(pair, first, circles, tables[s]);
+                long packed = pairAt(pair, first, s);
                 action.accept(IndexStrategy.first(packed), IndexStrategy.second(packed));
             }
         }
