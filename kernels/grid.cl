@@ -1,13 +1,19 @@
 // Sorts the circles by bucket of their cell, and by number within each: a counting sort, then ranks. One work-item a circle.
 // Reads what the detection before wrote and leaves it as it is, so that a detection can be done again. Twin of host.Grid.
 
-// The first launch of a detection: empties what is counted into. `cells` + 1 work-items.
-__kernel void c2d_grid_clear(__global int *bucketStart, __global uint *status, int cells) {
+// The first launch of a detection: empties what is counted into. One work-item a cell or tile, and one more.
+__kernel void c2d_grid_clear(__global int *bucketStart, __global int *tileStart, __global uint *status, int cells,
+                             int tiles) {
     const int k = (int)get_global_id(0);
-    if (k > cells || status[C2D_STALLED] != 0u) {
+    if (status[C2D_STALLED] != 0u) {
         return;
     }
-    bucketStart[k] = 0;
+    if (k <= cells) {
+        bucketStart[k] = 0;
+    }
+    if (k <= tiles) {
+        tileStart[k] = 0;
+    }
     if (k == 0) {
         status[C2D_CONTACTS] = 0u;
         status[C2D_FASTEST] = 0u;

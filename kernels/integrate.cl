@@ -1,5 +1,6 @@
-// A substep's share of each circle alone: at its end walls and motion, at its start gravity and kicks. One work-item a
-// circle. Twin of host.Integrate. Also how circles come into the order of the cells and back.
+// A substep's share of each circle alone: at its start gravity and kicks, at its end walls and motion. The end of one and the
+// start of the next are one, in solve.cl. One work-item a circle. Twin of host.Integrate. Also how circles come into the
+// order of the cells and back.
 
 // One coordinate of a circle. A struct, not an array: arrays with an index go to slow memory.
 typedef struct {
@@ -81,13 +82,12 @@ static c2d_axis c2d_small_kick(c2d_axis a, int axis, float slowed, __global cons
     return a;
 }
 
-__kernel void c2d_integrate(__global float8 *body, __global const int *id, __global float2 *kicked,
-                            __global float2 *walls, __global const uint *status, __global const float *rule, int circles,
-                            int move, int kick) {
-    const int i = (int)get_global_id(0);
-    if (i >= circles || status[C2D_STALLED] != 0u) {
-        return;
-    }
+// What a circle needs for that.
+#define C2D_CIRCLES                                                                                                    \
+    __global float8 *body, __global const int *id, __global float2 *kicked, __global float2 *walls,                      \
+        __global const float *rule
+
+static void c2d_integrate_circle(int i, bool move, bool kick, C2D_CIRCLES) {
     const float8 b = body[i];
     c2d_axis x = {b.s0, b.s2, b.s4};
     c2d_axis y = {b.s1, b.s3, b.s5};
@@ -105,6 +105,14 @@ __kernel void c2d_integrate(__global float8 *body, __global const int *id, __glo
         y = c2d_small_kick(y, 1, slowed, rule);
     }
     body[i] = (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
+}
+
+// The end of a substep that a detection follows.
+__kernel void c2d_integrate(C2D_CIRCLES, __global const uint *status, int circles) {
+    const int i = (int)get_global_id(0);
+    if (i < circles && status[C2D_STALLED] == 0u) {
+        c2d_integrate_circle(i, true, false, body, id, kicked, walls, rule);
+    }
 }
 
 // After an upload: what is new of the circles, `old` of which have a place already; the others come last.
@@ -126,15 +134,16 @@ __kernel void c2d_load(__global const float4 *circle, __global const float2 *vel
     }
 }
 
-// After a step: the circles by number, and the highest speed, in radii a second.
-__kernel void c2d_publish(__global const float8 *body, __global const int *id, __global uint *status, int circles,
-                          __global float4 *circle, __global float2 *velocities, __local uint *fastest) {
+// The end of a step: that of its last substep, then the circles by number, and the highest speed, in radii a second.
+__kernel void c2d_publish(C2D_CIRCLES, __global uint *status, int circles, __global float4 *circle,
+                          __global float2 *velocities, __local uint *fastest) {
     const int i = (int)get_global_id(0);
     if (get_local_id(0) == 0) {
         *fastest = 0u;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (i < circles && status[C2D_STALLED] == 0u) {
+        c2d_integrate_circle(i, true, false, body, id, kicked, walls, rule);
         const float8 b = body[i];
         const int to = id[i];
         circle[to].xy = b.s01;

@@ -36,10 +36,11 @@ static int c2d_remembered(int i, int j, __global const int *listStartBefore, __g
     return low < end && otherBefore[low] == j ? low : -1;
 }
 
-// `memory` holds what find has found of each contact, and then what is remembered of it.
+// `memory` holds what find has found of each contact, and then what is remembered of it; `batch` begins with the circle in
+// whose list it is.
 __kernel void c2d_match(__global const int *from, __global const int *listStart, __global const int *other,
                         __global uint *status, int circles, __global const int *listStartBefore,
-                        __global const int *otherBefore, __global const int2 *memoryBefore, __global int2 *memory) {
+                        __global const int *otherBefore, __global const int2 *memoryBefore, __global int2 *memory, __global int *batch) {
     if (status[C2D_STALLED] != 0u) {
         return;
     }
@@ -48,12 +49,14 @@ __kernel void c2d_match(__global const int *from, __global const int *listStart,
         status[C2D_UPDATES] += 1u;
     }
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        const int i = from[memory[k].y];
+        const int lists = memory[k].y;
+        const int i = from[lists];
         const int j = from[other[k]];
         int old = c2d_remembered(i, j, listStartBefore, otherBefore);
         if (old < 0) {
             old = c2d_remembered(j, i, listStartBefore, otherBefore);
         }
         memory[k] = old < 0 ? (int2)(0, 0) : memoryBefore[old];
+        batch[k] = lists;
     }
 }

@@ -1,5 +1,5 @@
-// Turns counts into sums: each value becomes the sum of all up to it. Three launches, whatever the number of values:
-// parts, one a work-group; the sums of the parts, one work-group; the sums added to the parts. Integers alone, so that the
+// Turns counts into sums: each value becomes the sum of all up to it. Many values take three launches: parts,
+// one a work-group; the sums of the parts, one work-group; the sums added to the parts. Few take one launch of one work-group. Integers alone, so that the
 // size of a group leaves no trace.
 
 __kernel void c2d_scan_parts(__global int *values, int all, __global int *partSums, __global const uint *status,
@@ -13,17 +13,27 @@ __kernel void c2d_scan_parts(__global int *values, int all, __global int *partSu
     }
 }
 
-// Also the one place that stalls a detection: where the values are the lengths of lists, with room for `capacity` contacts;
-// -1 for other values.
+// The one place that stalls a detection: where the values are the lengths of lists, with room for `capacity` contacts; -1 for
+// other values.
+static void c2d_scan_check(int contacts, int capacity, __global uint *status) {
+    if (get_local_id(0) == 0 && capacity >= 0 && status[C2D_STALLED] == 0u) {
+        status[C2D_CONTACTS] = (uint)contacts;
+        status[C2D_STALLED] = contacts > capacity ? 1u : 0u;
+    }
+}
+
 __kernel void c2d_scan_sums(__global int *partSums, int parts, __global uint *status, int capacity,
                             __local int *sums) {
     c2d_scan_group(partSums, parts, sums);
     barrier(CLK_GLOBAL_MEM_FENCE);
-    if (get_local_id(0) == 0 && capacity >= 0 && status[C2D_STALLED] == 0u) {
-        const int contacts = partSums[parts - 1];
-        status[C2D_CONTACTS] = (uint)contacts;
-        status[C2D_STALLED] = contacts > capacity ? 1u : 0u;
-    }
+    c2d_scan_check(partSums[parts - 1], capacity, status);
+}
+
+__kernel void c2d_scan_few(__global int *values, int all, __global uint *status, int capacity, __local int *sums) {
+    const int count = status[C2D_STALLED] != 0u ? 0 : all;
+    c2d_scan_group(values, count, sums);
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    c2d_scan_check(values[all - 1], capacity, status);
 }
 
 __kernel void c2d_scan_add(__global int *values, int count, __global const int *partSums,

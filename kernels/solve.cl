@@ -1,99 +1,67 @@
-// One pass over the contacts: Solver.SMALL_STEPS; the rule of one contact is in visit.cl. Twin of host.Solve.
+// The substeps: the circles' own share, integrate.cl, then one pass over the contacts, whose rule is in visit.cl.
+// Solver.SMALL_STEPS. Twin of host.Solve.
 
 #define C2D_SOLVE                                                                                                      \
-    __global float8 *body, __global const int *id, __global const float2 *kicked, __global const int *listStart,         \
-        __global const int *other, __global float2 *memory, __global const int *bucketStart,                             \
-        __global const uint *status, __global const int8 *levels, __global const float *rule
-#define C2D_SOLVE_HERE body, id, kicked, listStart, other, memory, bucketStart, status, levels, rule
+    C2D_CIRCLES, __global float2 *memory, __global const int2 *pairs, int capacity, __global const int *batch,           \
+        __global const int *tileStart, __global const int *tileColours, __global const uint *status
+#define C2D_SOLVE_HERE                                                                                                 \
+    body, id, kicked, walls, rule, memory, pairs, capacity, batch, tileStart, tileColours, status
 
-// The lists of the circles of one bucket, one after the other. Memory is slow and the contacts wait for each other, so that
-// each is read before the one ahead of it is done; what that one changes of its circles is passed on.
-static void c2d_solve_bucket(int bucket, c2d_numbers numbers, C2D_SOLVE) {
-    int i = bucketStart[bucket];
-    const int last = bucketStart[bucket + 1];
-    int k = listStart[i];
-    const int end = listStart[last];
-    if (k >= end) {
-        return;
-    }
-    int listEnd = listStart[i + 1];
-    while (listEnd == k) {
-        i++;
-        listEnd = listStart[i + 1];
-    }
-    int nextEnd = listStart[min(i + 2, last)];
-    int j = other[k];
-    float2 remembered = memory[k];
-    float8 a = body[i];
-    float8 b = body[j];
-    int nextJ = other[min(k + 1, end - 1)];
-    for (;;) {
-        const int next = k + 1;
-        int nextI = i;
-        if (next == listEnd && next < end) {
-            do {
-                nextI++;
-                listEnd = nextEnd;
-                nextEnd = listStart[min(nextI + 2, last)];
-            } while (listEnd == next);
-        }
-        const int afterJ = other[min(next + 1, end - 1)];
-        float2 nextRemembered = memory[min(next, end - 1)];
-        float8 nextA = body[nextI];
-        float8 nextB = body[nextJ];
-        if (c2d_visit(&a, &b, &remembered, i, j, id, kicked, numbers)) {
-            body[j] = b;
-            memory[k] = remembered;
-        }
-        if (nextI != i || next == end) {
-            body[i] = a;
-        }
-        if (next == end) {
-            return;
-        }
-        nextA = nextI == i ? a : nextI == j ? b : nextA;
-        nextB = nextJ == j ? b : nextJ == i ? a : nextB;
-        i = nextI;
-        j = nextJ;
-        k = next;
-        a = nextA;
-        b = nextB;
-        remembered = nextRemembered;
-        nextJ = afterJ;
-    }
-}
-
-// The buckets of one colour of one level, of those `rows` rows apart whose column and row leave `x` and `y`: one work-item
-// each. `across`: how many there are in a row.
-__kernel void c2d_solve(C2D_SOLVE, int number, int x, int y, int rows, int across, int buckets) {
-    const int item = (int)get_global_id(0);
-    if (item >= buckets || status[C2D_STALLED] != 0u) {
-        return;
-    }
-    const int8 level = levels[1 + number];
-    const int row = y + rows * (item / across);
-    c2d_solve_bucket(level.C2D_BASE + row * level.C2D_WIDTH + x + 3 * (item % across), c2d_numbers_of(rule),
-                     C2D_SOLVE_HERE);
-}
-
-// The levels from `firstLevel` on, all of their colours, in one launch of one work-group: where buckets are few, launches
-// would cost more than the work.
-__kernel void c2d_solve_narrow(C2D_SOLVE, int firstLevel, int levelCount) {
-    const bool stalled = status[C2D_STALLED] != 0u;
-    const c2d_numbers numbers = c2d_numbers_of(rule);
-    for (int number = firstLevel; number < levelCount; number++) {
-        const int8 level = levels[1 + number];
-        const int rows = number == 0 ? 2 : 3;
-        for (int colour = 0; colour < 3 * rows; colour++) {
-            const int x = colour % 3;
-            const int y = colour / 3;
-            const int across = (level.C2D_WIDTH - x + 2) / 3;
-            const int buckets = stalled ? 0 : across * ((level.C2D_HEIGHT - y + rows - 1) / rows);
-            for (int item = (int)get_local_id(0); item < buckets; item += (int)get_local_size(0)) {
-                const int row = y + rows * (item / across);
-                c2d_solve_bucket(level.C2D_BASE + row * level.C2D_WIDTH + x + 3 * (item % across), numbers, C2D_SOLVE_HERE);
+// The contacts of a tile, a colour at a time, by one work-group.
+static void c2d_solve_tile(int tile, c2d_numbers numbers, C2D_SOLVE) {
+    const int first = tileStart[C2D_PARTS * tile];
+    const int end = tileStart[C2D_PARTS * (tile + 1)];
+    const int colours = status[C2D_STALLED] != 0u || first == end ? 0 : tileColours[tile];
+    __global const int *index = batch + capacity;
+    __global const int *colourStart = batch + 2 * capacity + first;
+    for (int colour = 0; colour < colours; colour++) {
+        const int stop = colour + 1 < colours ? colourStart[colour + 1] : end;
+        for (int e = colourStart[colour] + (int)get_local_id(0); e < stop; e += (int)get_local_size(0)) {
+            const int2 pair = pairs[e];
+            const int k = index[e];
+            float8 a = body[pair.x];
+            float8 b = body[pair.y];
+            float2 remembered = memory[k];
+            if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
+                body[pair.x] = a;
+                body[pair.y] = b;
+                memory[k] = remembered;
             }
-            barrier(CLK_GLOBAL_MEM_FENCE);
+        }
+        barrier(CLK_GLOBAL_MEM_FENCE);
+    }
+}
+
+// A tiling after the first, one work-group a tile.
+__kernel void c2d_solve(C2D_SOLVE, int firstTile) {
+    c2d_solve_tile(firstTile + (int)get_group_id(0), c2d_numbers_of(rule), C2D_SOLVE_HERE);
+}
+
+// The first tiling, which begins with the circles of each tile. `moves`: a substep comes before this one. `members` by tile,
+// after all `tiles` of contacts.
+__kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, int tiles, int moves) {
+    const int tile = (int)get_group_id(0);
+    const int contacts = tileStart[C2D_PARTS * tiles];
+    const int end = tileStart[C2D_PARTS * (tiles + tile + 1)] - contacts;
+    int m = tileStart[C2D_PARTS * (tiles + tile)] - contacts + (int)get_local_id(0);
+    for (; m < (status[C2D_STALLED] != 0u ? 0 : end); m += (int)get_local_size(0)) {
+        c2d_integrate_circle(members[m], moves, true, body, id, kicked, walls, rule);
+    }
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    c2d_solve_tile(tile, c2d_numbers_of(rule), C2D_SOLVE_HERE);
+}
+
+// Where one work-group does it all: some substeps.
+__kernel void c2d_solve_small(C2D_SOLVE, int circles, int tilings, int substeps) {
+    const c2d_numbers numbers = c2d_numbers_of(rule);
+    const int end = status[C2D_STALLED] != 0u ? 0 : circles;
+    for (int substep = 0; substep < substeps; substep++) {
+        for (int i = (int)get_local_id(0); i < end; i += (int)get_local_size(0)) {
+            c2d_integrate_circle(i, substep > 0, true, body, id, kicked, walls, rule);
+        }
+        barrier(CLK_GLOBAL_MEM_FENCE);
+        for (int tiling = 0; tiling < tilings; tiling++) {
+            c2d_solve_tile(tiling, numbers, C2D_SOLVE_HERE);
         }
     }
 }

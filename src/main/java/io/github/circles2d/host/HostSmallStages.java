@@ -18,6 +18,7 @@ public final class HostSmallStages implements SmallStages {
     private final Match match;
     private final Integrate integrate;
     private final Solve solve;
+    private final Batch batch;
     private final WorldConfig config;
     private final Status status = new Status();
     private int detections;
@@ -28,7 +29,8 @@ public final class HostSmallStages implements SmallStages {
         find = new Find(config, state, contacts, workers);
         match = new Match(state, contacts, workers);
         integrate = new Integrate(state, workers);
-        solve = new Solve(state, contacts, workers);
+        batch = new Batch(config, state, contacts);
+        solve = new Solve(state, contacts, workers, batch);
     }
 
     @Override
@@ -55,21 +57,26 @@ public final class HostSmallStages implements SmallStages {
         grid.run();
         find.run(horizon, fall);
         match.run();
+        batch.run();
         detections++;
     }
 
     @Override
-    public void integrate(boolean move, boolean kick) {
-        integrate.run(move, kick);
+    public void integrate() {
+        integrate.run(true, false);
     }
 
     @Override
-    public void solve() {
-        solve.run();
+    public void solve(int count) {
+        for (int substep = 0; substep < count; substep++) {
+            integrate.run(substep > 0, true);
+            solve.run();
+        }
     }
 
     @Override
     public void publish() {
+        integrate();
         state.publish();
     }
 

@@ -8,7 +8,7 @@ final class Solve {
     private final SmallState state;
     private final SmallContacts contacts;
     private final Workers workers;
-    private final Workers.Work work = this::part;
+    private final Batch batch;
     private float[] n;
     /** Of the pass: where the level begins in the table, what column and row of a bucket leave, how many rows are apart. */
     private int at;
@@ -17,74 +17,19 @@ final class Solve {
     private int y;
     private int rows;
 
-    Solve(SmallState state, SmallContacts contacts, Workers workers) {
+    Solve(SmallState state, SmallContacts contacts, Workers workers, Batch batch) {
+ this.batch=batch;
         this.state = state;
         this.contacts = contacts;
         this.workers = workers;
     }
 
-    /** A level and a colour at a time: buckets of one colour share no circle. */
     void run() {
         n = state.substeps.numbers();
-        Levels levels = state.levels;
-        for (int number = 0; number < levels.count; number++) {
-            at = Levels.at(number);
-            rows = Levels.rows(number);
-            int circles = state.bucketStart[first() + buckets()] - state.bucketStart[first()];
-            for (int colour = 0; colour < 3 * rows; colour++) {
-                x = colour % 3;
-                y = colour / 3;
-                workers.run(circles, work);
-            }
-        }
-    }
-
-    private int first() {
-        return state.levels.table[at + Levels.BASE];
-    }
-
-    private int buckets() {
-        return state.levels.table[at + Levels.WIDTH] * state.levels.table[at + Levels.HEIGHT];
-    }
-
-    /** The buckets of the colour that begin with circles {@code from .. end - 1} of the level. */
-    private void part(int part, int from, int end) {
-        int width = state.levels.table[at + Levels.WIDTH];
-        int low = bucketFrom(from) - first();
-        int high = bucketFrom(end) - first();
-        for (int row = low / width; row * width < high; row++) {
-            if (row % rows != y) {
-                continue;
-            }
-            int column = Math.max(0, low - row * width);
-            column += Math.floorMod(x - column, 3);
-            for (; column < Math.min(width, high - row * width); column += 3) {
-                bucket(first() + row * width + column);
-            }
-        }
-    }
-
-    /** The first bucket of the level that begins with circle {@code circle} of it, or with a later one. */
-    private int bucketFrom(int circle) {
-        int low = first();
-        int high = low + buckets();
-        int wanted = state.bucketStart[low] + circle;
-        while (low < high) {
-            int middle = low + (high - low) / 2;
-            if (state.bucketStart[middle] < wanted) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return low;
-    }
-
-    private void bucket(int bucket) {
-        for (int i = state.bucketStart[bucket]; i < state.bucketStart[bucket + 1]; i++) {
-            for (int k = contacts.listStart[i]; k < contacts.listStart[i + 1]; k++) {
-                visit(i, k);
-            }
+        int all = contacts.listStart[state.circles];
+        for (int e = 0; e < all; e++) {
+            int k = batch.order[e];
+            visit(batch.owner[k], k);
         }
     }
 

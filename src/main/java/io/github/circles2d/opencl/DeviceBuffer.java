@@ -27,7 +27,7 @@ final class DeviceBuffer implements AutoCloseable {
 
     /** Makes sure that there are at least {@code wanted} bytes; what was in the buffer may be lost. */
     void ensure(long wanted) {
-        long needed = Math.max(wanted, 16);
+        long needed = room(wanted);
         if (bytes >= needed) {
             return;
         }
@@ -43,9 +43,14 @@ final class DeviceBuffer implements AutoCloseable {
         bytes = needed;
     }
 
+    /** Whole ints, and never nothing, which drivers refuse. */
+    private static long room(long wanted) {
+        return Math.max(wanted + 3 & ~3, 16);
+    }
+
     /** As {@link #ensure}, but keeps what is in the buffer, and sets every int of what is new to {@code value}. */
     void grow(long wanted, int value) {
-        long needed = Math.max(wanted, 16);
+        long needed = room(wanted);
         if (bytes >= needed) {
             return;
         }

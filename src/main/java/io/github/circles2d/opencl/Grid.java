@@ -22,7 +22,9 @@ final class Grid {
         DeviceBuffer bucket = buffers.kicked;
         DeviceBuffer unsorted = world.now().other;
         int cells = world.levels().cells;
-        clear.arguments(buffers.bucketStart, status, cells).range(cells + 1, world.group());
+        int tiles = world.tiles().parts();
+        clear.arguments(buffers.bucketStart, buffers.tileStart, status, cells, tiles)
+                .range(Math.max(cells, tiles) + 1L, world.group());
         bin.arguments(
                         world.before().body,
                         buffers.levels,

@@ -50,8 +50,8 @@ final class Kernel implements AutoCloseable {
     }
 
     /** Sets the arguments that come after those of {@link #arguments}. */
-    void more(float first, float second) {
-        set(set, first, second);
+    void more(Object... values) {
+        set(set, values);
     }
 
     /** Work-items of a group. */
@@ -113,6 +113,11 @@ final class Kernel implements AutoCloseable {
         items = (count + size - 1) / size * size;
         itemsPerLaunch = Math.max(size, perLaunch / size * size);
         return this;
+    }
+
+    /** Sets that a launch covers so many work-groups, whatever their size; {@code group} as for {@link #range(long, int)}. */
+    Kernel groups(long groups, int group) {
+        return range(groups * Math.max(1, Math.min(group, maxGroup)), group);
     }
 
     void launch() {

@@ -12,8 +12,7 @@ final class Match {
     }
 
     void bind(SmallWorld world) {
-        // contacts are about twice as many as circles; the kernels go round where they are more
-        long items = Math.max(1, 2L * world.circles());
+        long items = world.contacts();
         Turn now = world.now();
         Turn before = world.before();
         DeviceBuffer status = world.state().status;
@@ -30,7 +29,8 @@ final class Match {
                         before.listStart,
                         before.other,
                         before.memory,
-                        now.memory)
+                        now.memory,
+                        before.body)
                 .range(items, world.group());
     }
 

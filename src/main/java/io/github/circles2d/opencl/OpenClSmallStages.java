@@ -6,6 +6,7 @@ import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
+import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
@@ -22,6 +23,7 @@ final class OpenClSmallStages implements SmallStages {
     private final SmallKernels[] kernels = new SmallKernels[2];
     private final FloatBuffer numbers;
     private final int group;
+    private final int tileGroup;
     private final int oneGroup;
     private Boolean wide;
     private Program program;
@@ -29,6 +31,7 @@ final class OpenClSmallStages implements SmallStages {
     private Kernel rescale;
     private Stats stats;
     private Levels levels;
+    private Tiles tiles;
     private Substeps substeps;
     /** Detections queued, and those known to be done. */
     private long queued;
@@ -42,6 +45,7 @@ final class OpenClSmallStages implements SmallStages {
     OpenClSmallStages(OpenClDevice device, WorldConfig config) {
         this.config = config;
         group = device.group(config);
+        tileGroup = device.tileGroup(config);
         oneGroup = device.oneGroup(config);
         numbers = ByteBuffer.allocateDirect(4 * Substeps.NUMBERS)
                 .order(ByteOrder.nativeOrder())
@@ -64,7 +68,7 @@ final class OpenClSmallStages implements SmallStages {
             return;
         }
         Program old = program;
-        program = SmallKernels.program(session, config, wanted);
+        program = SmallKernels.program(session, config, wanted, tileGroup == 1);
         // kernels of the old program go with the session; a world crosses this line once
         for (int k = 0; k < kernels.length; k++) {
             kernels[k] = new SmallKernels(session, program, tables);
@@ -84,7 +88,8 @@ final class OpenClSmallStages implements SmallStages {
         compile(IndexStrategies.wide(circles));
         state.upload(circle, velocities, circles);
         if (levels == null || !levels.same(newLevels)) {
-            buffers.ensureCircles(newLevels, circle.capacity() / 4);
+            tiles = Tiles.of(newLevels);
+            buffers.ensureCircles(newLevels, tiles, circle.capacity() / 4);
             buffers.ensureContacts((long) Tuning.CONTACTS_PER_CIRCLE * circles + Tuning.FIRST_CONTACTS);
             levels = newLevels;
             unbind();
@@ -141,23 +146,24 @@ final class OpenClSmallStages implements SmallStages {
         now.grid.run();
         now.find.run(horizon, fall);
         now.match.run();
+        now.batch.run();
         queued++;
     }
 
     private void bind(int index) {
         Turn now = buffers.turns[index];
         Turn before = buffers.turns[1 - index];
-        kernels[index].bind(new SmallWorld(config, state, buffers, now, before, levels, group, oneGroup));
+        kernels[index].bind(new SmallWorld(config, state, buffers, now, before, levels, tiles, group, tileGroup, oneGroup));
     }
 
     @Override
-    public void integrate(boolean move, boolean kick) {
-        kernels[lastIndex()].integrate.run(move, kick);
+    public void integrate() {
+        kernels[lastIndex()].integrate.run();
     }
 
     @Override
-    public void solve() {
-        kernels[lastIndex()].solve.run();
+    public void solve(int count) {
+        kernels[lastIndex()].solve.run(count);
     }
 
     @Override

@@ -3,6 +3,7 @@ package io.github.circles2d.opencl;
 import io.github.circles2d.CapacityException;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Substeps;
+import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -19,6 +20,9 @@ final class SmallBuffers {
     final DeviceBuffer bucketStart;
     final DeviceBuffer partSums;
     final DeviceBuffer levels;
+    final DeviceBuffer tilings;
+    final DeviceBuffer tileStart;
+    final DeviceBuffer tileColours;
     final DeviceBuffer rule;
     final Turn[] turns = new Turn[2];
 
@@ -31,6 +35,9 @@ final class SmallBuffers {
         bucketStart = new DeviceBuffer(session, "bucketStart");
         partSums = new DeviceBuffer(session, "partSums");
         levels = new DeviceBuffer(session, "levels");
+        tilings = new DeviceBuffer(session, "tilings");
+        tileStart = new DeviceBuffer(session, "tileStart");
+        tileColours = new DeviceBuffer(session, "tileColours");
         rule = new DeviceBuffer(session, "rule");
         rule.ensure(4L * Substeps.NUMBERS);
         turns[0] = new Turn(session);
@@ -38,20 +45,27 @@ final class SmallBuffers {
     }
 
     /** Makes room for circles, as many as {@code room}, and their cells; keeps what is kept from step to step. */
-    void ensureCircles(Levels now, int room) {
+    void ensureCircles(Levels now, Tiles tiles, int room) {
         walls.grow(16L * room, 0);
         kicked.ensure(8L * room);
         from.ensure(4L * room);
+        tileStart.ensure(4L * (tiles.parts() + 1));
+        tileColours.ensure(4L * tiles.tiles);
         bucketStart.ensure(4L * (now.cells + 1));
         // one sum for each group, and a group may be of one work-item
-        partSums.ensure(4L * (Math.max(now.cells, room) / Tuning.SCAN + 1));
+        partSums.ensure(4L * (Math.max(Math.max(now.cells, tiles.parts()), room) / Tuning.SCAN + 1));
         for (Turn turn : turns) {
             turn.growCircles(room);
         }
-        levels.ensure(4L * now.table.length);
-        ByteBuffer copy = ByteBuffer.allocateDirect(4 * now.table.length).order(ByteOrder.nativeOrder());
-        copy.asIntBuffer().put(now.table);
-        levels.write(copy, 4L * now.table.length);
+        write(levels, now.table);
+        write(tilings, tiles.table);
+    }
+
+    private static void write(DeviceBuffer buffer, int[] values) {
+        buffer.ensure(4L * values.length);
+        ByteBuffer copy = ByteBuffer.allocateDirect(4 * values.length).order(ByteOrder.nativeOrder());
+        copy.asIntBuffer().put(values);
+        buffer.write(copy, 4L * values.length);
     }
 
     int capacity() {

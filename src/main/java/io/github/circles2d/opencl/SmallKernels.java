@@ -11,6 +11,7 @@ final class SmallKernels {
     final Grid grid;
     final Find find;
     final Match match;
+    final Batch batch;
     final Integrate integrate;
     final Solve solve;
 
@@ -21,12 +22,13 @@ final class SmallKernels {
         grid = new Grid(session, program);
         find = new Find(session, program, tables);
         match = new Match(session, program);
+        batch = new Batch(session, program);
         integrate = new Integrate(session, program);
         solve = new Solve(session, program);
     }
 
     /** Compiles the kernels for pair indices of 32 or 64 bits. */
-    static Program program(Session session, WorldConfig config, boolean wide) {
+    static Program program(Session session, WorldConfig config, boolean wide, boolean alone) {
         boolean pairwise = config.strategy().pairwise();
         List<Map.Entry<String, String>> sources = new ArrayList<>();
         sources.add(Program.file("common.cl"));
@@ -42,6 +44,7 @@ final class SmallKernels {
                 "grid",
                 "find",
                 "match",
+                "batch",
                 "integrate",
                 "visit",
                 "solve",
@@ -51,7 +54,7 @@ final class SmallKernels {
         }
         return Program.build(
                 session,
-                Map.of("C2D_WIDE", wide ? 1 : 0, "C2D_PAIRWISE", pairwise ? 1 : 0, "C2D_SCAN", Tuning.SCAN),
+                Map.of("C2D_WIDE", wide ? 1 : 0, "C2D_PAIRWISE", pairwise ? 1 : 0, "C2D_SCAN", Tuning.SCAN, "C2D_ALONE", alone ? 1 : 0),
                 sources);
     }
 
@@ -59,6 +62,7 @@ final class SmallKernels {
         grid.bind(world);
         find.bind(world);
         match.bind(world);
+        batch.bind(world);
         integrate.bind(world);
         solve.bind(world);
         bound = true;

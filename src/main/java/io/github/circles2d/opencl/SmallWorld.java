@@ -1,6 +1,8 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Tiles;
+import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 
 /**
@@ -9,6 +11,7 @@ import io.github.circles2d.pipeline.WorldConfig;
  * @param now the buffers that the detection writes
  * @param before those of the detection before
  * @param group work-items of a group
+ * @param tileGroup work-items of a group that does a tile
  * @param oneGroup work-items of a launch of one group
  */
 record SmallWorld(
@@ -18,10 +21,37 @@ record SmallWorld(
         Turn now,
         Turn before,
         Levels levels,
+        Tiles tiles,
         int group,
+        int tileGroup,
         int oneGroup) {
 
     int circles() {
         return state.circles;
+    }
+
+    /** Whether one work-group does all of a tiling. */
+    boolean merged() {
+        return oneGroup > 1 && config.smallWorld() > 0 && circles() <= Tuning.ONE_GROUP_CIRCLES;
+    }
+
+    /** First tile of a tiling, of those that are told apart. */
+    int firstTile(int tiling) {
+        return merged() ? tiling : tiles.first(tiling);
+    }
+
+    /** Tiles of a tiling that are told apart. */
+    int tilesOf(int tiling) {
+        return firstTile(tiling + 1) - firstTile(tiling);
+    }
+
+    /** Work-items of a group that does a tile. */
+    int itemsOfTile() {
+        return merged() ? oneGroup : tileGroup;
+    }
+
+    /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */
+    long contacts() {
+        return Math.max(1, 2L * state.circles);
     }
 }

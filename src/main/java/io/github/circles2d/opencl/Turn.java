@@ -30,5 +30,7 @@ final class Turn {
     void growContacts(long wanted) {
         other.grow(4 * wanted, 0);
         memory.grow(8 * wanted, 0);
+        body.grow(12 * wanted, 0);
+        listStart.grow(wanted, 0);
     }
 }

@@ -48,19 +48,14 @@ public final class SmallPipeline implements Stepper {
 
     /** The substeps from {@code first} on, which begins with a detection. */
     private void run(int first) {
-        for (int s = first; s < substeps.count(); s++) {
-            boolean detects = s % perDetection == 0;
+        for (int s = first; s < substeps.count(); s += perDetection) {
             if (s > first) {
-                stages.integrate(true, !detects);
+                stages.integrate();
             }
-            if (detects) {
-                int listed = Math.min(perDetection, substeps.count() - s);
-                stages.detect(listed * substeps.seconds(), substeps.fall(config, listed));
-                stages.integrate(false, true);
-            }
-            stages.solve();
+            int listed = Math.min(perDetection, substeps.count() - s);
+            stages.detect(listed * substeps.seconds(), substeps.fall(config, listed));
+            stages.solve(listed);
         }
-        stages.integrate(true, false);
         stages.publish();
     }
 

@@ -27,13 +27,16 @@ public interface SmallStages extends DeviceState {
      */
     void detect(float horizon, float fall);
 
-    /** One substep's share of every circle: at the end of one walls and motion, at the start of one gravity and kicks. */
-    void integrate(boolean move, boolean kick);
+    /**
+     * Some substeps, all but the end of the last: gravity and kicks, contacts; then, for each after the first, the end of the
+     * one before, gravity and kicks, contacts.
+     */
+    void solve(int substeps);
 
-    /** One pass over the contacts. */
-    void solve();
+    /** The end of a substep, walls and motion, before a detection. */
+    void integrate();
 
-    /** Ends a step: makes its circles known to {@link #download}, its highest speed to {@link #fastest}. */
+    /** Ends a step: the end of its last substep; makes its circles known to {@link #download}, its highest speed to {@link #fastest}. */
     void publish();
 
     /** Highest speed after the last step, radii a second; after {@link #await()}. */

@@ -76,8 +76,11 @@ public final class Tuning {
 
     public static final int CPU_WORK_GROUP = 256;
 
-    /** Work-items of a group that solves: its buckets take long and differ, so that small groups share out better. 32 to 256. */
-    public static final int SOLVE_WORK_GROUP = 64;
+    /** Work-items of a group that does a tile, about as many as it has contacts of one colour, on a GPU. 32 to 256. */
+    public static final int GPU_TILE_GROUP = Integer.getInteger("tg", 64);
+
+    /** The same on a CPU. */
+    public static final int CPU_TILE_GROUP = Integer.getInteger("tg", 1);
 
     /** Work-items of a launch of one group, which scans cells or does a small world, on a GPU. 64 to 1,024. */
     public static final int GPU_ONE_GROUP = 1024;
@@ -194,11 +197,24 @@ public final class Tuning {
     /** Shift of a folded level from one turn of the torus to the next, a share of its height. */
     public static final double FOLD_SHIFT = 0.309;
 
+    /** Power of two that is the side of the smallest tiles, finest cells, and what it grows by to the next. 3 to 5; 1 to 4. */
+    public static final int TILE_SIDE = Integer.getInteger("side", 3);
+
+    public static final int TILE_SCALE = 2;
+
+    /** Fewest circles a tile of one tiling, on average, and tiles that there may be in any case. 4 to 64; 16 to 4,096. */
+    public static final int CIRCLES_PER_TILE = 16;
+
+    public static final int TILES_FEW = 64;
+
+    /** Values up to which one work-group scans them all. 0 (never) to 10^5. */
+    public static final int SCAN_FEW = Integer.getInteger("few", 20000);
+
     /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64. */
     public static final int SCAN = 8;
 
-    /** Buckets of one colour up to which the levels from there on are solved by one work-group. 0 (never) to 4,096. */
-    public static final int NARROW = 1024;
+    /** Largest world, in circles, whose substeps one work-group of a GPU does. 0 (never) to some ten thousand. */
+    public static final int ONE_GROUP_CIRCLES = Integer.getInteger("small", 4096);
 
     /** Turns that plain Java waits for another thread at full speed before it yields. 0 to 10^5; a turn takes some 10 ns. */
     public static final int HOST_SPINS = 2000;
