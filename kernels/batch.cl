@@ -19,7 +19,7 @@ static int c2d_tile(int2 cell, int8 tiling) {
     int row = (cell.y + tiling.s0) >> tiling.C2D_SIDE;
     column = column < tiling.C2D_COLUMNS ? column : column % tiling.C2D_COLUMNS;
     row = row < tiling.C2D_ROWS ? row : row % tiling.C2D_ROWS;
-    return tiling.C2D_FIRST + row * tiling.C2D_COLUMNS + column;
+    return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
 }
 
 static int2 c2d_finest_cell(float2 centre, int8 all, __global const float *rule) {
@@ -38,12 +38,12 @@ static int2 c2d_finest_cell(float2 centre, int8 all, __global const float *rule)
 // The contacts of a tile, and its circles, are counted in so many parts: counting into one place takes turns.
 #define C2D_PARTS 8
 
-// Circles, whose tile is that of the first tiling, are counted after the contacts of all `tiles`. `merged`: all of a tiling is
-// done by one work-group, so that its tiles need not be told apart. One work-item a contact, going round where they are more.
+// Circles, whose tile is that of the first tiling, are counted after the contacts of all `tiles`. One work-item a contact, going
+// round where they are more.
 __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *levels, __global const int8 *tilings,
                               __global const float *rule, __global const uint *status, int circles,
                               __global const int *listStart, __global const int *other, int capacity, int tiles,
-                              int merged, __global int *batch, __global int *tileStart, __global int *turn) {
+                              __global int *batch, __global int *tileStart, __global int *turn) {
     const int8 all = levels[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : listStart[circles];
@@ -57,11 +57,11 @@ __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *
             tiling++;
             tile = c2d_tile(a, tilings[tiling]);
         }
-        const int part = C2D_PARTS * (merged ? tiling : tile) + k % C2D_PARTS;
+        const int part = C2D_PARTS * tile + k % C2D_PARTS;
         batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
         batch[2 * capacity + k] = part;
     }
-    for (int p = (int)get_global_id(0); p < (stalled || merged ? 0 : circles); p += (int)get_global_size(0)) {
+    for (int p = (int)get_global_id(0); p < (stalled ? 0 : circles); p += (int)get_global_size(0)) {
         const int tile = c2d_tile(c2d_finest_cell(body[p].s01, all, rule), tilings[0]);
         turn[circles + p] = atomic_inc(&tileStart[C2D_PARTS * (tiles + tile) + p % C2D_PARTS + 1]);
     }
@@ -69,7 +69,7 @@ __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *
 
 __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *levels, __global const int8 *tilings,
                              __global const float *rule, __global const uint *status, int circles,
-                             __global const int *listStart, int capacity, int tiles, int merged,
+                             __global const int *listStart, int capacity, int tiles,
                              __global const int *batch, __global const int *tileStart, __global const int *turn,
                              __global int *byTile, __global uchar *tint, __global int *members) {
     const bool stalled = status[C2D_STALLED] != 0u;
@@ -78,7 +78,7 @@ __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *l
         byTile[tileStart[batch[2 * capacity + k]] + batch[capacity + k]] = k;
         tint[k] = C2D_WAITS;
     }
-    for (int p = (int)get_global_id(0); p < (stalled || merged ? 0 : circles); p += (int)get_global_size(0)) {
+    for (int p = (int)get_global_id(0); p < (stalled ? 0 : circles); p += (int)get_global_size(0)) {
         const int tile = c2d_tile(c2d_finest_cell(body[p].s01, levels[0], rule), tilings[0]);
         members[tileStart[C2D_PARTS * (tiles + tile) + p % C2D_PARTS] - contacts + turn[circles + p]] = p;
     }
@@ -96,21 +96,32 @@ static int c2d_colour(int i, int j, __global uint *mask) {
 }
 
 #if C2D_ALONE
-// A group of one work-item has an order to go by. Shell's sort.
-static void c2d_batch_sort(__global int *byTile, int first, int end) {
-    int gap = 1;
-    while (gap < (end - first) / 3) {
-        gap = 3 * gap + 1;
+// A group of one work-item has an order to go by: sorts by the highest byte of the priority, and then within it. `room` for as
+// many contacts.
+static void c2d_batch_sort(__global int *byTile, __global int *room, int first, int end) {
+    int start[256];
+    for (int byte = 0; byte < 256; byte++) {
+        start[byte] = 0;
     }
-    for (; gap > 0; gap /= 3) {
-        for (int e = first + gap; e < end; e++) {
-            const int k = byTile[e];
-            int to = e;
-            for (; to - gap >= first && c2d_priority(byTile[to - gap]) > c2d_priority(k); to -= gap) {
-                byTile[to] = byTile[to - gap];
-            }
-            byTile[to] = k;
+    for (int e = first; e < end; e++) {
+        start[c2d_priority(byTile[e]) >> 24]++;
+    }
+    int sum = first;
+    for (int byte = 0; byte < 256; byte++) {
+        const int own = start[byte];
+        start[byte] = sum;
+        sum += own;
+    }
+    for (int e = first; e < end; e++) {
+        room[start[c2d_priority(byTile[e]) >> 24]++] = byTile[e];
+    }
+    for (int e = first; e < end; e++) {
+        const int k = room[e];
+        int to = e;
+        for (; to > first && c2d_priority(byTile[to - 1]) > c2d_priority(k); to--) {
+            byTile[to] = byTile[to - 1];
         }
+        byTile[to] = k;
     }
 }
 #endif
@@ -209,7 +220,7 @@ __kernel void c2d_batch_colour(__global const int *other, __global int *byTile, 
     int done = first;
     int colours = 0;
 #if C2D_ALONE
-    c2d_batch_sort(byTile, first, end);
+    c2d_batch_sort(byTile, batch + capacity, first, end);
 #endif
     while (done < end) {
         c2d_batch_page(first, end, other, byTile, tint, circles, batch, mask, bestOdd, counts);

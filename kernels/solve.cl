@@ -7,28 +7,47 @@
 #define C2D_SOLVE_HERE                                                                                                 \
     body, id, kicked, walls, rule, memory, pairs, capacity, batch, tileStart, tileColours, status
 
-// The contacts of a tile, a colour at a time, by one work-group.
+// The contacts of a tile, a colour at a time, by one work-group. Memory is slow, so that each work-item reads what it needs of
+// its contact of the next colour, but the circles, before this colour is done.
 static void c2d_solve_tile(int tile, c2d_numbers numbers, C2D_SOLVE) {
     const int first = tileStart[C2D_PARTS * tile];
     const int end = tileStart[C2D_PARTS * (tile + 1)];
     const int colours = status[C2D_STALLED] != 0u || first == end ? 0 : tileColours[tile];
+    const int items = (int)get_local_size(0);
     __global const int *index = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
+    int e = first + (int)get_local_id(0);
+    int stop = colours > 1 ? colourStart[1] : end;
+    int k = e < stop ? index[e] : 0;
+    int2 pair = e < stop ? pairs[e] : (int2)(0, 0);
+    float2 remembered = e < stop ? memory[k] : (float2)(0.0f, 0.0f);
     for (int colour = 0; colour < colours; colour++) {
-        const int stop = colour + 1 < colours ? colourStart[colour + 1] : end;
-        for (int e = colourStart[colour] + (int)get_local_id(0); e < stop; e += (int)get_local_size(0)) {
-            const int2 pair = pairs[e];
-            const int k = index[e];
+        const int nextE = stop + (int)get_local_id(0);
+        const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
+        const int nextK = nextE < nextStop ? index[nextE] : 0;
+        const int2 nextPair = nextE < nextStop ? pairs[nextE] : (int2)(0, 0);
+        const float2 nextRemembered = nextE < nextStop ? memory[nextK] : (float2)(0.0f, 0.0f);
+        while (e < stop) {
             float8 a = body[pair.x];
             float8 b = body[pair.y];
-            float2 remembered = memory[k];
             if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
                 body[pair.x] = a;
                 body[pair.y] = b;
                 memory[k] = remembered;
             }
+            e += items;
+            if (e < stop) {
+                k = index[e];
+                pair = pairs[e];
+                remembered = memory[k];
+            }
         }
         barrier(CLK_GLOBAL_MEM_FENCE);
+        e = nextE;
+        stop = nextStop;
+        k = nextK;
+        pair = nextPair;
+        remembered = nextRemembered;
     }
 }
 
@@ -49,21 +68,6 @@ __kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, int tiles,
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_solve_tile(tile, c2d_numbers_of(rule), C2D_SOLVE_HERE);
-}
-
-// Where one work-group does it all: some substeps.
-__kernel void c2d_solve_small(C2D_SOLVE, int circles, int tilings, int substeps) {
-    const c2d_numbers numbers = c2d_numbers_of(rule);
-    const int end = status[C2D_STALLED] != 0u ? 0 : circles;
-    for (int substep = 0; substep < substeps; substep++) {
-        for (int i = (int)get_local_id(0); i < end; i += (int)get_local_size(0)) {
-            c2d_integrate_circle(i, substep > 0, true, body, id, kicked, walls, rule);
-        }
-        barrier(CLK_GLOBAL_MEM_FENCE);
-        for (int tiling = 0; tiling < tilings; tiling++) {
-            c2d_solve_tile(tiling, numbers, C2D_SOLVE_HERE);
-        }
-    }
 }
 
 static float2 c2d_rescaled(float come, float last, float ratio) {

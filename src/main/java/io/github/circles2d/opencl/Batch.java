@@ -32,14 +32,12 @@ final class Batch {
         DeviceBuffer status = world.state().status;
         int capacity = buffers.capacity();
         int tiles = world.tiles().tiles;
-        int merged = world.merged() ? 1 : 0;
         Object[] known = {now.body, buffers.levels, buffers.tilings, buffers.rule, status, world.circles(), now.listStart};
         count.arguments(
                         known,
                         now.other,
                         capacity,
                         tiles,
-                        merged,
                         free.body,
                         buffers.tileStart,
                         buffers.kicked)
@@ -49,7 +47,6 @@ final class Batch {
                         known,
                         capacity,
                         tiles,
-                        merged,
                         free.body,
                         buffers.tileStart,
                         buffers.kicked,
@@ -76,9 +73,9 @@ final class Batch {
                             buffers.tileStart,
                             buffers.tileColours,
                             status,
-                            world.firstTile(tiling),
+                            world.tiles().first(tiling),
                             new Kernel.Local(SHARED))
-                    .groups(world.tilesOf(tiling), world.itemsOfTile());
+                    .groups(world.tiles().count(tiling), world.tileGroup());
         }
     }
 

@@ -2,7 +2,6 @@ package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Tiles;
-import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 
 /**
@@ -28,26 +27,6 @@ record SmallWorld(
 
     int circles() {
         return state.circles;
-    }
-
-    /** Whether one work-group does all of a tiling. */
-    boolean merged() {
-        return oneGroup > 1 && config.smallWorld() > 0 && circles() <= Tuning.ONE_GROUP_CIRCLES;
-    }
-
-    /** First tile of a tiling, of those that are told apart. */
-    int firstTile(int tiling) {
-        return merged() ? tiling : tiles.first(tiling);
-    }
-
-    /** Tiles of a tiling that are told apart. */
-    int tilesOf(int tiling) {
-        return firstTile(tiling + 1) - firstTile(tiling);
-    }
-
-    /** Work-items of a group that does a tile. */
-    int itemsOfTile() {
-        return merged() ? oneGroup : tileGroup;
     }
 
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */

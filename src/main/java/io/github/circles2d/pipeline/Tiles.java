@@ -89,11 +89,16 @@ public final class Tiles {
         return tiling == tilings ? tiles : table[INTS * tiling + FIRST];
     }
 
+    /** Tiles of a tiling. */
+    public int count(int tiling) {
+        return first(tiling + 1) - first(tiling);
+    }
+
     /** The tile of a finest cell. */
     public int tile(int tiling, int x, int y) {
         int at = INTS * tiling;
         int column = x + table[at + OFFSET] >> table[at + SIDE];
         int row = y + table[at + OFFSET] >> table[at + SIDE];
-        return table[at + FIRST] + row % table[at + ROWS] * table[at + COLUMNS] + column % table[at + COLUMNS];
+        return table[at + FIRST] + column % table[at + COLUMNS] * table[at + ROWS] + row % table[at + ROWS];
     }
 }

@@ -213,9 +213,6 @@ public final class Tuning {
     /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64. */
     public static final int SCAN = 8;
 
-    /** Largest world, in circles, whose substeps one work-group of a GPU does. 0 (never) to some ten thousand. */
-    public static final int ONE_GROUP_CIRCLES = Integer.getInteger("small", 4096);
-
     /** Turns that plain Java waits for another thread at full speed before it yields. 0 to 10^5; a turn takes some 10 ns. */
     public static final int HOST_SPINS = 2000;
 
