@@ -28,6 +28,9 @@ static int2 c2d_finest_cell(float2 centre, int8 all, __global const float *rule)
                   c2d_finest(centre.y, C2D_MIN(1), perUnit, all.C2D_LAST_Y));
 }
 
+// In `owner`: the line between the centres stands rather than lies.
+#define C2D_STANDS INT_MIN
+
 // Colours of which a circle has a mask; contacts that find none of them free get later ones, as many at a time.
 #define C2D_COLOURS 32
 // What `tint` says of a contact without such a colour: it waits for one; it is in order; it takes part.
@@ -48,8 +51,11 @@ __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : listStart[circles];
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        const int2 a = c2d_finest_cell(body[batch[k]].s01, all, rule);
-        const int2 b = c2d_finest_cell(body[other[k]].s01, all, rule);
+        const int i = batch[k];
+        const float2 centreA = body[i].s01;
+        const float2 centreB = body[other[k]].s01;
+        const int2 a = c2d_finest_cell(centreA, all, rule);
+        const int2 b = c2d_finest_cell(centreB, all, rule);
         // the last tiling holds whatever those before do not
         int tiling = 0;
         int tile = c2d_tile(a, tilings[0]);
@@ -60,6 +66,7 @@ __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *
         const int part = C2D_PARTS * tile + k % C2D_PARTS;
         batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
         batch[2 * capacity + k] = part;
+        batch[k] = fabs(centreA.y - centreB.y) >= fabs(centreA.x - centreB.x) ? i | C2D_STANDS : i;
     }
     for (int p = (int)get_global_id(0); p < (stalled ? 0 : circles); p += (int)get_global_size(0)) {
         const int tile = c2d_tile(c2d_finest_cell(body[p].s01, all, rule), tilings[0]);
@@ -84,7 +91,10 @@ __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *l
     }
 }
 
-static uint c2d_priority(int contact) { return (uint)contact * 0x9E3779B1u; }
+// What comes first: contacts that lie, then those that stand, each in an order that looks like chance; no two are equal.
+static uint c2d_priority(int contact, int owner) {
+    return (((uint)contact * 0x9E3779B1u) & INT_MAX) | ((uint)owner & C2D_STANDS);
+}
 
 // The lowest colour that neither of two circles has yet, or C2D_WAITS.
 static int c2d_colour(int i, int j, __global uint *mask) {
@@ -98,13 +108,14 @@ static int c2d_colour(int i, int j, __global uint *mask) {
 #if C2D_ALONE
 // A group of one work-item has an order to go by: sorts by the highest byte of the priority, and then within it. `room` for as
 // many contacts.
-static void c2d_batch_sort(__global int *byTile, __global int *room, int first, int end) {
+static void c2d_batch_sort(int first, int end, __global int *byTile, __global const int *batch,
+                           __global int *room) {
     int start[256];
     for (int byte = 0; byte < 256; byte++) {
         start[byte] = 0;
     }
     for (int e = first; e < end; e++) {
-        start[c2d_priority(byTile[e]) >> 24]++;
+        start[c2d_priority(byTile[e], batch[byTile[e]]) >> 24]++;
     }
     int sum = first;
     for (int byte = 0; byte < 256; byte++) {
@@ -113,12 +124,13 @@ static void c2d_batch_sort(__global int *byTile, __global int *room, int first, 
         sum += own;
     }
     for (int e = first; e < end; e++) {
-        room[start[c2d_priority(byTile[e]) >> 24]++] = byTile[e];
+        room[start[c2d_priority(byTile[e], batch[byTile[e]]) >> 24]++] = byTile[e];
     }
     for (int e = first; e < end; e++) {
         const int k = room[e];
+        const uint own = c2d_priority(k, batch[k]);
         int to = e;
-        for (; to > first && c2d_priority(byTile[to - 1]) > c2d_priority(k); to--) {
+        for (; to > first && c2d_priority(byTile[to - 1], batch[byTile[to - 1]]) > own; to--) {
             byTile[to] = byTile[to - 1];
         }
         byTile[to] = k;
@@ -142,7 +154,7 @@ static void c2d_batch_page(C2D_TILE) {
     for (int e = first + item; e < end; e += items) {
         const int k = byTile[e];
         if (tint[k] == C2D_WAITS) {
-            const int i = batch[k];
+            const int i = batch[k] & INT_MAX;
             const int j = other[k];
             tint[k] = C2D_OPEN;
             mask[i] = 0u;
@@ -155,7 +167,7 @@ static void c2d_batch_page(C2D_TILE) {
     for (int e = first; e < end; e++) {
         const int k = byTile[e];
         if (tint[k] == C2D_OPEN) {
-            const int colour = c2d_colour(batch[k], other[k], mask);
+            const int colour = c2d_colour(batch[k] & INT_MAX, other[k], mask);
             tint[k] = (uchar)colour;
             counts[colour < C2D_WAITS ? colour : C2D_COLOURS]++;
         }
@@ -171,8 +183,9 @@ static void c2d_batch_page(C2D_TILE) {
         for (int e = first + item; e < end; e += items) {
             const int k = byTile[e];
             if (tint[k] == C2D_OPEN) {
-                atomic_min(&best[batch[k]], c2d_priority(k));
-                atomic_min(&best[other[k]], c2d_priority(k));
+                const uint own = c2d_priority(k, batch[k]);
+                atomic_min(&best[batch[k] & INT_MAX], own);
+                atomic_min(&best[other[k]], own);
             }
         }
         if (item == 0) {
@@ -184,11 +197,12 @@ static void c2d_batch_page(C2D_TILE) {
             if (tint[k] != C2D_OPEN) {
                 continue;
             }
-            const int i = batch[k];
+            const uint own = c2d_priority(k, batch[k]);
+            const int i = batch[k] & INT_MAX;
             const int j = other[k];
             next[i] = UINT_MAX;
             next[j] = UINT_MAX;
-            if (best[i] != c2d_priority(k) || best[j] != c2d_priority(k)) {
+            if (best[i] != own || best[j] != own) {
                 left[round % 3] = 1;
                 continue;
             }
@@ -220,7 +234,7 @@ __kernel void c2d_batch_colour(__global const int *other, __global int *byTile, 
     int done = first;
     int colours = 0;
 #if C2D_ALONE
-    c2d_batch_sort(byTile, batch + capacity, first, end);
+    c2d_batch_sort(first, end, byTile, batch, batch + capacity);
 #endif
     while (done < end) {
         c2d_batch_page(first, end, other, byTile, tint, circles, batch, mask, bestOdd, counts);
@@ -240,7 +254,7 @@ __kernel void c2d_batch_colour(__global const int *other, __global int *byTile, 
             const int k = byTile[e];
             if (tint[k] < C2D_COLOURS) {
                 const int to = atomic_inc(&counts[tint[k]]);
-                pairs[to] = (int2)(batch[k], other[k]);
+                pairs[to] = (int2)(batch[k] & INT_MAX, other[k]);
                 batch[capacity + to] = k;
                 tint[k] = C2D_DONE;
             }

@@ -1,6 +1,5 @@
-// A substep's share of each circle alone: at its start gravity and kicks, at its end walls and motion. The end of one and the
-// start of the next are one, in solve.cl. One work-item a circle. Twin of host.Integrate. Also how circles come into the
-// order of the cells and back.
+// A substep's share of each circle alone: at its start gravity and kicks, at its end walls and motion. One work-item a circle.
+// Twin of host.Integrate. Also how circles come into the order of the cells and back.
 
 // One coordinate of a circle. A struct, not an array: arrays with an index go to slow memory.
 typedef struct {
@@ -107,11 +106,11 @@ static void c2d_integrate_circle(int i, bool move, bool kick, C2D_CIRCLES) {
     body[i] = (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
 }
 
-// The end of a substep that a detection follows.
-__kernel void c2d_integrate(C2D_CIRCLES, __global const uint *status, int circles) {
+// The end of a substep, the start of one, or both.
+__kernel void c2d_integrate(C2D_CIRCLES, __global const uint *status, int circles, int move, int kick) {
     const int i = (int)get_global_id(0);
     if (i < circles && status[C2D_STALLED] == 0u) {
-        c2d_integrate_circle(i, true, false, body, id, kicked, walls, rule);
+        c2d_integrate_circle(i, move, kick, body, id, kicked, walls, rule);
     }
 }
 

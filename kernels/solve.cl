@@ -7,56 +7,36 @@
 #define C2D_SOLVE_HERE                                                                                                 \
     body, id, kicked, walls, rule, memory, pairs, capacity, batch, tileStart, tileColours, status
 
-// The contacts of a tile, a colour at a time, by one work-group. Memory is slow, so that each work-item reads what it needs of
-// its contact of the next colour, but the circles, before this colour is done.
-static void c2d_solve_tile(int tile, c2d_numbers numbers, C2D_SOLVE) {
+// The contacts of a tile, a colour at a time, by one work-group.
+static void c2d_solve_tile(int tile, C2D_SOLVE) {
     const int first = tileStart[C2D_PARTS * tile];
     const int end = tileStart[C2D_PARTS * (tile + 1)];
     const int colours = status[C2D_STALLED] != 0u || first == end ? 0 : tileColours[tile];
-    const int items = (int)get_local_size(0);
+    const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *index = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
-    int e = first + (int)get_local_id(0);
-    int stop = colours > 1 ? colourStart[1] : end;
-    int k = e < stop ? index[e] : 0;
-    int2 pair = e < stop ? pairs[e] : (int2)(0, 0);
-    float2 remembered = e < stop ? memory[k] : (float2)(0.0f, 0.0f);
     for (int colour = 0; colour < colours; colour++) {
-        const int nextE = stop + (int)get_local_id(0);
-        const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
-        const int nextK = nextE < nextStop ? index[nextE] : 0;
-        const int2 nextPair = nextE < nextStop ? pairs[nextE] : (int2)(0, 0);
-        const float2 nextRemembered = nextE < nextStop ? memory[nextK] : (float2)(0.0f, 0.0f);
-        while (e < stop) {
+        const int stop = colour + 1 < colours ? colourStart[colour + 1] : end;
+        for (int e = colourStart[colour] + (int)get_local_id(0); e < stop; e += (int)get_local_size(0)) {
+            const int2 pair = pairs[e];
+            const int k = index[e];
             float8 a = body[pair.x];
             float8 b = body[pair.y];
+            float2 remembered = memory[k];
             if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
                 body[pair.x] = a;
                 body[pair.y] = b;
                 memory[k] = remembered;
             }
-            e += items;
-            if (e < stop) {
-                k = index[e];
-                pair = pairs[e];
-                remembered = memory[k];
-            }
         }
         barrier(CLK_GLOBAL_MEM_FENCE);
-        e = nextE;
-        stop = nextStop;
-        k = nextK;
-        pair = nextPair;
-        remembered = nextRemembered;
     }
 }
 
-// A tiling after the first, one work-group a tile.
-__kernel void c2d_solve(C2D_SOLVE, int firstTile) {
-    c2d_solve_tile(firstTile + (int)get_group_id(0), c2d_numbers_of(rule), C2D_SOLVE_HERE);
-}
+// A tiling, one work-group a tile.
+__kernel void c2d_solve(C2D_SOLVE, int firstTile) { c2d_solve_tile(firstTile + (int)get_group_id(0), C2D_SOLVE_HERE); }
 
-// The first tiling, which begins with the circles of each tile. `moves`: a substep comes before this one. `members` by tile,
+// The first tiling where circles are few and a launch counts: it begins with the circles of each tile. `moves`: a substep comes before this one. `members` by tile,
 // after all `tiles` of contacts.
 __kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, int tiles, int moves) {
     const int tile = (int)get_group_id(0);
@@ -67,7 +47,7 @@ __kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, int tiles,
         c2d_integrate_circle(members[m], moves, true, body, id, kicked, walls, rule);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_solve_tile(tile, c2d_numbers_of(rule), C2D_SOLVE_HERE);
+    c2d_solve_tile(tile, C2D_SOLVE_HERE);
 }
 
 static float2 c2d_rescaled(float come, float last, float ratio) {

@@ -34,7 +34,7 @@ public final class Quality {
                 .solver(Solver.SMALL_STEPS)
                 .indexStrategy(IndexStrategy.grid())
                 .substeps(substeps);
-        Runtime.getRuntime().addShutdownHook(new Thread(() -> io.github.circles2d.Dbg.p()));try (Circles2D world = scene.build(builder, circles)) {
+        try (Circles2D world = scene.build(builder, circles)) {
             int timed = Math.max(1, steps / 10);
             long start = System.nanoTime();
             world.step(steps - timed);

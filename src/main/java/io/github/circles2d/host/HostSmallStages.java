@@ -29,8 +29,8 @@ public final class HostSmallStages implements SmallStages {
         find = new Find(config, state, contacts, workers);
         match = new Match(state, contacts, workers);
         integrate = new Integrate(state, workers);
-        batch = new Batch(config, state, contacts);
-        solve = new Solve(state, contacts, workers, batch);
+        batch = new Batch(config, state, contacts, workers);
+        solve = new Solve(state, contacts, batch);
     }
 
     @Override

@@ -1,33 +1,31 @@
 package io.github.circles2d.host;
 
-import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Substeps;
 
-/** Twin of {@code kernels/solve.cl}: one pass over the contacts, in the order that match made. */
+/** Twin of {@code kernels/solve.cl}: one pass over the contacts, in the order that batch made. */
 final class Solve {
     private final SmallState state;
     private final SmallContacts contacts;
-    private final Workers workers;
+    private final Workers.Work work = this::part;
     private final Batch batch;
     private float[] n;
-    /** Of the pass: where the level begins in the table, what column and row of a bucket leave, how many rows are apart. */
-    private int at;
 
-    private int x;
-    private int y;
-    private int rows;
-
-    Solve(SmallState state, SmallContacts contacts, Workers workers, Batch batch) {
- this.batch=batch;
+    Solve(SmallState state, SmallContacts contacts, Batch batch) {
+        this.batch = batch;
         this.state = state;
         this.contacts = contacts;
-        this.workers = workers;
     }
 
     void run() {
         n = state.substeps.numbers();
-        int all = contacts.listStart[state.circles];
-        for (int e = 0; e < all; e++) {
+        for (int tiling = 0; tiling < batch.tilings(); tiling++) {
+            batch.forTiles(tiling, work);
+        }
+    }
+
+    private void part(int part, int from, int end) {
+        int last = batch.start(end);
+        for (int e = batch.start(from); e < last; e++) {
             int k = batch.order[e];
             visit(batch.owner[k], k);
         }

@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Tiles;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -32,15 +31,10 @@ final class Batch {
         DeviceBuffer status = world.state().status;
         int capacity = buffers.capacity();
         int tiles = world.tiles().tiles;
-        Object[] known = {now.body, buffers.levels, buffers.tilings, buffers.rule, status, world.circles(), now.listStart};
-        count.arguments(
-                        known,
-                        now.other,
-                        capacity,
-                        tiles,
-                        free.body,
-                        buffers.tileStart,
-                        buffers.kicked)
+        Object[] known = {
+            now.body, buffers.levels, buffers.tilings, buffers.rule, status, world.circles(), now.listStart
+        };
+        count.arguments(known, now.other, capacity, tiles, free.body, buffers.tileStart, buffers.kicked)
                 .range(world.contacts(), world.group());
         scan.bind(world, buffers.tileStart, world.tiles().parts() + 1, -1);
         fill.arguments(

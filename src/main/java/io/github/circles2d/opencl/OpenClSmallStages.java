@@ -153,17 +153,19 @@ final class OpenClSmallStages implements SmallStages {
     private void bind(int index) {
         Turn now = buffers.turns[index];
         Turn before = buffers.turns[1 - index];
-        kernels[index].bind(new SmallWorld(config, state, buffers, now, before, levels, tiles, group, tileGroup, oneGroup));
+        kernels[index].bind(
+                new SmallWorld(config, state, buffers, now, before, levels, tiles, group, tileGroup, oneGroup));
     }
 
     @Override
     public void integrate() {
-        kernels[lastIndex()].integrate.run();
+        kernels[lastIndex()].integrate.run(true, false);
     }
 
     @Override
     public void solve(int count) {
-        kernels[lastIndex()].solve.run(count);
+        SmallKernels now = kernels[lastIndex()];
+        now.solve.run(count, now.integrate);
     }
 
     @Override

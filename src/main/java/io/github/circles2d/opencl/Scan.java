@@ -22,8 +22,7 @@ final class Scan {
         DeviceBuffer status = world.state().status;
         DeviceBuffer partSums = world.buffers().partSums;
         isFew = count <= Tuning.SCAN_FEW;
-        few.range(1, world.oneGroup())
-                .arguments(values, count, status, capacity, new Kernel.Local(4L * few.group()));
+        few.range(1, world.oneGroup()).arguments(values, count, status, capacity, new Kernel.Local(4L * few.group()));
         parts.range((count + Tuning.SCAN - 1L) / Tuning.SCAN, world.group())
                 .arguments(values, count, partSums, status, new Kernel.Local(4L * parts.group()));
         sums.range(1, world.oneGroup())

@@ -54,7 +54,15 @@ final class SmallKernels {
         }
         return Program.build(
                 session,
-                Map.of("C2D_WIDE", wide ? 1 : 0, "C2D_PAIRWISE", pairwise ? 1 : 0, "C2D_SCAN", Tuning.SCAN, "C2D_ALONE", alone ? 1 : 0),
+                Map.of(
+                        "C2D_WIDE",
+                        wide ? 1 : 0,
+                        "C2D_PAIRWISE",
+                        pairwise ? 1 : 0,
+                        "C2D_SCAN",
+                        Tuning.SCAN,
+                        "C2D_ALONE",
+                        alone ? 1 : 0),
                 sources);
     }
 

@@ -2,6 +2,7 @@ package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Tiles;
+import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 
 /**
@@ -27,6 +28,11 @@ record SmallWorld(
 
     int circles() {
         return state.circles;
+    }
+
+    /** Whether circles are so few that the time of a launch counts more than what it does. */
+    boolean few() {
+        return circles() <= Tuning.FEW_CIRCLES;
     }
 
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */

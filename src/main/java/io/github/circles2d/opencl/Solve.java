@@ -1,30 +1,33 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Tiles;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Host code of {@code kernels/solve.cl}: substeps, a tiling at a time. */
+/** Host code of {@code kernels/solve.cl}: a pass over the contacts, a tiling at a time. */
 final class Solve {
     private final Session session;
     private final Program program;
-    /** The first tiling, where a substep comes before and where none does. */
-    private final Kernel firstMoves;
+    /** The first tiling with what comes before it, where a substep does and where none does. */
+    private final Kernel moveAndFirst;
 
-    private final Kernel first;
-    private final List<Kernel> others = new ArrayList<>();
-    private int tilings;
+    private final Kernel kickAndFirst;
+    private final List<Kernel> tilings = new ArrayList<>();
+    private int count;
+    private boolean fused;
 
     Solve(Session session, Program program) {
         this.session = session;
         this.program = program;
-        firstMoves = new Kernel(session, program, "c2d_solve_first");
-        first = new Kernel(session, program, "c2d_solve_first");
+        moveAndFirst = new Kernel(session, program, "c2d_solve_first");
+        kickAndFirst = new Kernel(session, program, "c2d_solve_first");
     }
 
     void bind(SmallWorld world) {
         SmallBuffers buffers = world.buffers();
         Turn now = world.now();
         Turn free = world.before();
+        Tiles tiles = world.tiles();
         Object[] known = {
             now.body,
             now.id,
@@ -39,26 +42,29 @@ final class Solve {
             buffers.tileColours,
             world.state().status
         };
-        tilings = world.tiles().tilings;
-        firstMoves
-                .arguments(known, free.id, world.tiles().tiles, 1)
-                .groups(world.tiles().count(0), world.tileGroup());
-        first.arguments(known, free.id, world.tiles().tiles, 0).groups(world.tiles().count(0), world.tileGroup());
-        for (int tiling = 1; tiling < tilings; tiling++) {
-            if (tiling > others.size()) {
-                others.add(new Kernel(session, program, "c2d_solve"));
+        fused = world.few();
+        moveAndFirst.arguments(known, free.id, tiles.tiles, 1).groups(tiles.count(0), world.tileGroup());
+        kickAndFirst.arguments(known, free.id, tiles.tiles, 0).groups(tiles.count(0), world.tileGroup());
+        count = tiles.tilings;
+        for (int tiling = 0; tiling < count; tiling++) {
+            if (tiling == tilings.size()) {
+                tilings.add(new Kernel(session, program, "c2d_solve"));
             }
-            others.get(tiling - 1)
-                    .arguments(known, world.tiles().first(tiling))
-                    .groups(world.tiles().count(tiling), world.tileGroup());
+            tilings.get(tiling).arguments(known, tiles.first(tiling)).groups(tiles.count(tiling), world.tileGroup());
         }
     }
 
-    void run(int substeps) {
+    /** Substeps, as {@link io.github.circles2d.pipeline.SmallStages#solve} says. */
+    void run(int substeps, Integrate integrate) {
         for (int substep = 0; substep < substeps; substep++) {
-            (substep > 0 ? firstMoves : first).launch();
-            for (int tiling = 1; tiling < tilings; tiling++) {
-                others.get(tiling - 1).launch();
+            if (fused) {
+                (substep > 0 ? moveAndFirst : kickAndFirst).launch();
+            } else {
+                integrate.run(substep > 0, true);
+                tilings.get(0).launch();
+            }
+            for (int tiling = 1; tiling < count; tiling++) {
+                tilings.get(tiling).launch();
             }
         }
     }

@@ -76,6 +76,9 @@ public final class Tuning {
 
     public static final int CPU_WORK_GROUP = 256;
 
+    /** Circles up to which launches are saved at the price of larger kernels. 0 (never) to 10^6. */
+    public static final int FEW_CIRCLES = Integer.getInteger("fuse", 200_000);
+
     /** Work-items of a group that does a tile, about as many as it has contacts of one colour, on a GPU. 32 to 256. */
     public static final int GPU_TILE_GROUP = Integer.getInteger("tg", 64);
 
