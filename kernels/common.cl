@@ -40,6 +40,8 @@ typedef uint2 c2d_row;
 #define C2D_STALLED 1
 #define C2D_UPDATES 2
 #define C2D_FASTEST 3
+// What stalled says where contacts are so dense that no order of colours holds them.
+#define C2D_TOO_DENSE 2u
 
 // A contact as detect finds it is an int4: the numbers i < j of its circles, and the bits of the translation vector from i
 // to j.

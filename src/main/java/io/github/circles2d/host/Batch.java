@@ -1,14 +1,15 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.util.Arrays;
 
 /** Twin of {@code kernels/batch.cl}: puts the contacts in the order in which they are solved. */
 final class Batch {
-    /** Colours of which a circle has a mask: {@code C2D_COLOURS}. */
-    private static final int COLOURS = 32;
+    /** Of the colours of which a circle has a mask, those for the first tiling: {@code C2D_FIRST_COLOURS}. */
+    private static final long FIRST_COLOURS = 0xFFFFFFFFL;
 
     private final WorldConfig config;
     private final SmallState state;
@@ -16,22 +17,29 @@ final class Batch {
     private final Workers workers;
     private final Workers.Work sort = this::sort;
     private final Workers.Work colour = this::colour;
+    private final Workers.Work sortTiles = this::order;
     private Levels levels;
     /** Whose tiles are shared out. */
     private int tiling;
 
     private Tiles tiles;
-    /** Of each part of the work: the counts of the colours, and of what is left for later ones. */
-    private final int[][] counts;
+    /** Of the pass: where the level begins in the table, what column and row of a bucket leave, how many rows are apart. */
+    private int at;
 
-    /** By circle: the colours of its contacts in this tile. */
-    private int[] mask = {};
+    private int x;
+    private int y;
+    private int rows;
+
+    /** By circle: the colours of its contacts, and how many beyond those of the mask. */
+    private long[] mask = {};
+
+    private int[] beyond = {};
     /** By contact: its circle in whose list it is, its tile, its colour. */
     int[] owner = {};
 
     private int[] tileOf = {};
-    private byte[] tint = {};
-    /** By tile: what contacts are coloured in order of, the priority and then the contact. */
+    private int[] tint = {};
+    /** By tile: the colour and then the contact. */
     private long[] keys = {};
     /** In the order of solving: the contact. */
     int[] order = {};
@@ -43,15 +51,15 @@ final class Batch {
         this.state = state;
         this.contacts = contacts;
         this.workers = workers;
-        counts = new int[workers.most()][COLOURS + 1];
     }
 
     void run() {
         ready(contacts.listStart[state.circles]);
         workers.run(state.circles, sort);
+        colours();
         byTile(contacts.listStart[state.circles]);
-        for (int tiling = 0; tiling < tiles.tilings; tiling++) {
-            forTiles(tiling, colour);
+        for (int which = 0; which < tiles.tilings; which++) {
+            forTiles(which, sortTiles);
         }
     }
 
@@ -63,13 +71,16 @@ final class Batch {
         }
         Arrays.fill(tileStart, 0);
         if (mask.length < state.id.length) {
-            mask = new int[state.id.length];
+            mask = new long[state.id.length];
+            beyond = new int[state.id.length];
         }
+        Arrays.fill(mask, 0, state.circles, 0);
+        Arrays.fill(beyond, 0, state.circles, 0);
         if (order.length < count) {
             int room = contacts.other.length;
             owner = new int[room];
             tileOf = new int[room];
-            tint = new byte[room];
+            tint = new int[room];
             keys = new long[room];
             order = new int[room];
         }
@@ -107,6 +118,69 @@ final class Batch {
         return state.body[SmallState.BODY * i + SmallState.Y];
     }
 
+    /** {@code c2d_batch_colour}: of each level a colour of buckets at a time, which share no circle. */
+    private void colours() {
+        for (int number = 0; number < levels.count; number++) {
+            at = Levels.at(number);
+            rows = Levels.rows(number);
+            int circles = state.bucketStart[firstBucket() + buckets()] - state.bucketStart[firstBucket()];
+            for (int which = 0; which < 3 * rows; which++) {
+                x = which % 3;
+                y = which / 3;
+                workers.run(circles, colour);
+            }
+        }
+    }
+
+    private int firstBucket() {
+        return levels.table[at + Levels.BASE];
+    }
+
+    private int buckets() {
+        return levels.table[at + Levels.WIDTH] * levels.table[at + Levels.HEIGHT];
+    }
+
+    /** The buckets of the colour that begin with circles {@code from .. end - 1} of the level. */
+    private void colour(int part, int from, int end) {
+        int width = levels.table[at + Levels.WIDTH];
+        int first = firstBucket();
+        int low = search(state.bucketStart, first, first + buckets(), from) - first;
+        int high = search(state.bucketStart, first, first + buckets(), end) - first;
+        for (int row = low / width; row * width < high; row++) {
+            if (row % rows != y) {
+                continue;
+            }
+            int column = Math.max(0, low - row * width);
+            column += Math.floorMod(x - column, 3);
+            for (; column < Math.min(width, high - row * width); column += 3) {
+                int bucket = first + row * width + column;
+                for (int i = state.bucketStart[bucket]; i < state.bucketStart[bucket + 1]; i++) {
+                    colour(i);
+                }
+            }
+        }
+    }
+
+    private void colour(int i) {
+        for (int k = contacts.listStart[i]; k < contacts.listStart[i + 1]; k++) {
+            int j = contacts.other[k];
+            long usable = tileOf[k] < tiles.first(1) ? FIRST_COLOURS : ~FIRST_COLOURS;
+            long lowest = Long.lowestOneBit(~(mask[i] | mask[j]) & usable);
+            tint[k] = Long.numberOfTrailingZeros(lowest);
+            mask[i] |= lowest;
+            mask[j] |= lowest;
+            if (lowest == 0) {
+                int next = Math.max(beyond[i], beyond[j]) + 1;
+                beyond[i] = next;
+                beyond[j] = next;
+                tint[k] += next - 1;
+                if (tint[k] > Status.MOST_COLOURS) {
+                    throw Status.tooDense();
+                }
+            }
+        }
+    }
+
     /** {@code c2d_batch_fill}. */
     private void byTile(int count) {
         for (int k = 0; k < count; k++) {
@@ -116,73 +190,19 @@ final class Batch {
             tileStart[tile] += tileStart[tile - 1];
         }
         for (int k = count - 1; k >= 0; k--) {
-            keys[--tileStart[tileOf[k]]] = priority(k) << 31 | k;
+            keys[--tileStart[tileOf[k]]] = (long) tint[k] << 31 | k;
         }
     }
 
-    /** {@code c2d_priority}: contacts that lie rather than stand come first. */
-    private long priority(int k) {
-        int i = owner[k];
-        int j = contacts.other[k];
-        boolean stands = Math.abs(y(i) - y(j)) >= Math.abs(x(i) - x(j));
-        return (k * 0x9E3779B1L & 0x7FFFFFFF) | (stands ? 1L << 31 : 0);
-    }
-
-    /** The tiles of a tiling that begin with contacts {@code from .. end - 1} of it, {@code c2d_batch_colour}. */
-    private void colour(int part, int from, int end) {
-        for (int tile = tileFrom(from); tile < tileFrom(end); tile++) {
-            int done = tileStart[tile];
-            int last = tileStart[tile + 1];
-            Arrays.sort(keys, done, last);
-            for (int e = done; e < last; e++) {
-                tint[contact(e)] = COLOURS;
-            }
-            for (int e = done; done < last; e = tileStart[tile]) {
-                done = page(counts[part], e, last, done);
+    /** {@code c2d_batch_order}: the tiles of a tiling that begin with contacts {@code from .. end - 1} of it. */
+    private void order(int part, int from, int end) {
+        int last = tileFrom(end);
+        for (int tile = tileFrom(from); tile < last; tile++) {
+            Arrays.sort(keys, tileStart[tile], tileStart[tile + 1]);
+            for (int e = tileStart[tile]; e < tileStart[tile + 1]; e++) {
+                order[e] = (int) keys[e] & Integer.MAX_VALUE;
             }
         }
-    }
-
-    private int contact(int e) {
-        return (int) keys[e] & Integer.MAX_VALUE;
-    }
-
-    /** Gives contacts {@code first .. end - 1} that have no colour one of the next; {@code done} have a place in the order. */
-    private int page(int[] count, int first, int end, int done) {
-        Arrays.fill(count, 0);
-        for (int e = first; e < end; e++) {
-            int k = contact(e);
-            if (tint[k] == COLOURS) {
-                mask[owner[k]] = 0;
-                mask[contacts.other[k]] = 0;
-            }
-        }
-        for (int e = first; e < end; e++) {
-            int k = contact(e);
-            if (tint[k] == COLOURS) {
-                int i = owner[k];
-                int j = contacts.other[k];
-                int lowest = Integer.lowestOneBit(~(mask[i] | mask[j]));
-                mask[i] |= lowest;
-                mask[j] |= lowest;
-                tint[k] = (byte) Integer.numberOfTrailingZeros(lowest);
-                count[tint[k]]++;
-            }
-        }
-        int start = done;
-        for (int c = 0; c < COLOURS; c++) {
-            int own = count[c];
-            count[c] = start;
-            start += own;
-        }
-        for (int e = first; e < end; e++) {
-            int k = contact(e);
-            if (tint[k] >= 0 && tint[k] < COLOURS) {
-                order[count[tint[k]]++] = k;
-                tint[k] = -1;
-            }
-        }
-        return start;
     }
 
     /** Shares out the tiles of a tiling by their contacts. */
@@ -202,17 +222,22 @@ final class Batch {
 
     /** The first tile of the tiling that begins with contact {@code contact} of it, or with a later one. */
     private int tileFrom(int contact) {
-        int low = tiles.first(tiling);
-        int high = tiles.first(tiling + 1);
-        int wanted = tileStart[low] + contact;
-        while (low < high) {
-            int middle = low + (high - low) / 2;
-            if (tileStart[middle] < wanted) {
-                low = middle + 1;
+        return search(tileStart, tiles.first(tiling), tiles.first(tiling + 1), contact);
+    }
+
+    /** The first of {@code low .. high} that begins with item {@code item} of those of {@code low}, or with a later one. */
+    private static int search(int[] start, int low, int high, int item) {
+        int from = low;
+        int to = high;
+        int wanted = start[low] + item;
+        while (from < to) {
+            int middle = from + (to - from) / 2;
+            if (start[middle] < wanted) {
+                from = middle + 1;
             } else {
-                high = middle;
+                to = middle;
             }
         }
-        return low;
+        return from;
     }
 }

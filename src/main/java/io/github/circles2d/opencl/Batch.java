@@ -1,20 +1,24 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Tiles;
+import io.github.circles2d.pipeline.Tuning;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Host code of {@code kernels/batch.cl}: puts the contacts in the order in which they are solved. */
 final class Batch {
-    /** Bytes of {@code shared}. */
-    private static final long SHARED = 4 * (32 + 3 + 1);
+    /** Bytes of {@code counts}. */
+    private static final long COUNTS = 4 * (64 + 2);
 
     private final Session session;
     private final Program program;
     private final Kernel count;
     private final Scan scan;
     private final Kernel fill;
-    private final List<Kernel> colour = new ArrayList<>();
-    private int tilings;
+    private final List<Kernel> colours = new ArrayList<>();
+    private final Kernel order;
+    private int launches;
 
     Batch(Session session, Program program) {
         this.session = session;
@@ -22,6 +26,7 @@ final class Batch {
         count = new Kernel(session, program, "c2d_batch_count");
         scan = new Scan(session, program);
         fill = new Kernel(session, program, "c2d_batch_fill");
+        order = new Kernel(session, program, "c2d_batch_order");
     }
 
     void bind(SmallWorld world) {
@@ -30,46 +35,76 @@ final class Batch {
         Turn free = world.before();
         DeviceBuffer status = world.state().status;
         int capacity = buffers.capacity();
-        int tiles = world.tiles().tiles;
+        Tiles tiles = world.tiles();
         Object[] known = {
             now.body, buffers.levels, buffers.tilings, buffers.rule, status, world.circles(), now.listStart
         };
-        count.arguments(known, now.other, capacity, tiles, free.body, buffers.tileStart, buffers.kicked)
+        count.arguments(known, now.other, capacity, tiles.tiles, free.body, buffers.tileStart, buffers.from)
                 .range(world.contacts(), world.group());
-        scan.bind(world, buffers.tileStart, world.tiles().parts() + 1, -1);
+        scan.bind(world, buffers.tileStart, tiles.parts() + 1, -1);
         fill.arguments(
                         known,
                         capacity,
-                        tiles,
+                        tiles.tiles,
                         free.body,
                         buffers.tileStart,
-                        buffers.kicked,
+                        buffers.from,
+                        free.other,
+                        free.id,
+                        buffers.kicked)
+                .range(world.contacts(), world.group());
+        launches = 0;
+        for (int level = 0; level < world.levels().count; level++) {
+            bindLevel(world, level);
+        }
+        order.arguments(
+                        now.other,
                         free.other,
                         free.listStart,
-                        free.id)
-                .range(world.contacts(), world.group());
-        tilings = world.tiles().tilings;
-        for (int tiling = 0; tiling < tilings; tiling++) {
-            if (tiling == colour.size()) {
-                colour.add(new Kernel(session, program, "c2d_batch_colour"));
+                        capacity,
+                        free.body,
+                        free.memory,
+                        buffers.tileStart,
+                        buffers.tileColours,
+                        status,
+                        new Kernel.Local(COUNTS))
+                .groups(tiles.tiles, world.tileGroup());
+    }
+
+    private void bindLevel(SmallWorld world, int level) {
+        SmallBuffers buffers = world.buffers();
+        Turn now = world.now();
+        Turn free = world.before();
+        Levels levels = world.levels();
+        int rows = Levels.rows(level);
+        for (int which = 0; which < 3 * rows; which++) {
+            int x = which % 3;
+            int y = which / 3;
+            int across = (levels.table[Levels.at(level) + Levels.WIDTH] - x + 2) / 3;
+            int buckets = across * ((levels.table[Levels.at(level) + Levels.HEIGHT] - y + rows - 1) / rows);
+            if (launches == colours.size()) {
+                colours.add(new Kernel(session, program, "c2d_batch_colour"));
             }
-            colour.get(tiling)
+            colours.get(launches++)
                     .arguments(
+                            now.listStart,
                             now.other,
-                            free.other,
-                            free.listStart,
-                            world.circles(),
-                            capacity,
+                            buffers.bucketStart,
+                            buffers.levels,
+                            world.state().status,
+                            buffers.capacity(),
                             free.body,
-                            free.memory,
                             buffers.kicked,
                             buffers.from,
-                            buffers.tileStart,
-                            buffers.tileColours,
-                            status,
-                            world.tiles().first(tiling),
-                            new Kernel.Local(SHARED))
-                    .groups(world.tiles().count(tiling), world.tileGroup());
+                            free.listStart,
+                            Tiles.PARTS * world.tiles().first(1),
+                            level,
+                            x,
+                            y,
+                            rows,
+                            across,
+                            buckets)
+                    .range(buckets, Math.min(world.group(), Tuning.COLOUR_WORK_GROUP));
         }
     }
 
@@ -77,8 +112,9 @@ final class Batch {
         count.launch();
         scan.run();
         fill.launch();
-        for (int tiling = 0; tiling < tilings; tiling++) {
-            colour.get(tiling).launch();
+        for (int k = 0; k < launches; k++) {
+            colours.get(k).launch();
         }
+        order.launch();
     }
 }

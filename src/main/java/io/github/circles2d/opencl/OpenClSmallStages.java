@@ -68,7 +68,7 @@ final class OpenClSmallStages implements SmallStages {
             return;
         }
         Program old = program;
-        program = SmallKernels.program(session, config, wanted, tileGroup == 1);
+        program = SmallKernels.program(session, config, wanted);
         // kernels of the old program go with the session; a world crosses this line once
         for (int k = 0; k < kernels.length; k++) {
             kernels[k] = new SmallKernels(session, program, tables);

@@ -28,7 +28,7 @@ final class SmallKernels {
     }
 
     /** Compiles the kernels for pair indices of 32 or 64 bits. */
-    static Program program(Session session, WorldConfig config, boolean wide, boolean alone) {
+    static Program program(Session session, WorldConfig config, boolean wide) {
         boolean pairwise = config.strategy().pairwise();
         List<Map.Entry<String, String>> sources = new ArrayList<>();
         sources.add(Program.file("common.cl"));
@@ -54,15 +54,7 @@ final class SmallKernels {
         }
         return Program.build(
                 session,
-                Map.of(
-                        "C2D_WIDE",
-                        wide ? 1 : 0,
-                        "C2D_PAIRWISE",
-                        pairwise ? 1 : 0,
-                        "C2D_SCAN",
-                        Tuning.SCAN,
-                        "C2D_ALONE",
-                        alone ? 1 : 0),
+                Map.of("C2D_WIDE", wide ? 1 : 0, "C2D_PAIRWISE", pairwise ? 1 : 0, "C2D_SCAN", Tuning.SCAN),
                 sources);
     }
 

@@ -15,6 +15,9 @@ import org.jocl.Pointer;
 final class State {
     private static final int STATUS_BYTES = 16;
 
+    /** {@code C2D_TOO_DENSE}. */
+    private static final int TOO_DENSE = 2;
+
     final DeviceBuffer status;
     final DeviceBuffer circle;
     final DeviceBuffer velocities;
@@ -91,6 +94,9 @@ final class State {
         }
         int updates = copy.getInt(8) - updatesSeen;
         updatesSeen = copy.getInt(8);
+        if (copy.getInt(4) == TOO_DENSE) {
+            throw Status.tooDense();
+        }
         return done.set(Integer.toUnsignedLong(copy.getInt(0)), copy.getInt(4) != 0, updates);
     }
 

@@ -31,6 +31,6 @@ final class Turn {
         other.grow(4 * wanted, 0);
         memory.grow(8 * wanted, 0);
         body.grow(12 * wanted, 0);
-        listStart.grow(wanted, 0);
+        listStart.grow(2 * wanted, 0);
     }
 }

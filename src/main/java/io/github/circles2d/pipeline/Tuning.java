@@ -79,6 +79,9 @@ public final class Tuning {
     /** Circles up to which launches are saved at the price of larger kernels. 0 (never) to 10^6. */
     public static final int FEW_CIRCLES = Integer.getInteger("fuse", 200_000);
 
+    /** Work-items of a group that colours: buckets differ, so that small groups share out better. 32 to 256. */
+    public static final int COLOUR_WORK_GROUP = 64;
+
     /** Work-items of a group that does a tile, about as many as it has contacts of one colour, on a GPU. 32 to 256. */
     public static final int GPU_TILE_GROUP = Integer.getInteger("tg", 64);
 
