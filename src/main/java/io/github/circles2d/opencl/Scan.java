@@ -21,7 +21,7 @@ final class Scan {
     void bind(SmallWorld world, DeviceBuffer values, int count, int capacity) {
         DeviceBuffer status = world.state().status;
         DeviceBuffer partSums = world.buffers().partSums;
-        isFew = count <= Tuning.SCAN_FEW;
+        isFew = world.few() && count <= Tuning.SCAN_FEW;
         few.range(1, world.oneGroup()).arguments(values, count, status, capacity, new Kernel.Local(4L * few.group()));
         parts.range((count + Tuning.SCAN - 1L) / Tuning.SCAN, world.group())
                 .arguments(values, count, partSums, status, new Kernel.Local(4L * parts.group()));

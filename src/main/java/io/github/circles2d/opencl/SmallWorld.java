@@ -32,7 +32,7 @@ record SmallWorld(
 
     /** Whether circles are so few that the time of a launch counts more than what it does. */
     boolean few() {
-        return circles() <= Tuning.FEW_CIRCLES;
+        return config.smallWorld() > 0 && circles() <= Tuning.FEW_CIRCLES;
     }
 
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */

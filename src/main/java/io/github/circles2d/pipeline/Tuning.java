@@ -77,16 +77,16 @@ public final class Tuning {
     public static final int CPU_WORK_GROUP = 256;
 
     /** Circles up to which launches are saved at the price of larger kernels. 0 (never) to 10^6. */
-    public static final int FEW_CIRCLES = Integer.getInteger("fuse", 200_000);
+    public static final int FEW_CIRCLES = 200_000;
 
     /** Work-items of a group that colours: buckets differ, so that small groups share out better. 32 to 256. */
     public static final int COLOUR_WORK_GROUP = 64;
 
     /** Work-items of a group that does a tile, about as many as it has contacts of one colour, on a GPU. 32 to 256. */
-    public static final int GPU_TILE_GROUP = Integer.getInteger("tg", 64);
+    public static final int GPU_TILE_GROUP = 64;
 
     /** The same on a CPU. */
-    public static final int CPU_TILE_GROUP = Integer.getInteger("tg", 1);
+    public static final int CPU_TILE_GROUP = 1;
 
     /** Work-items of a launch of one group, which scans cells or does a small world, on a GPU. 64 to 1,024. */
     public static final int GPU_ONE_GROUP = 1024;
@@ -204,7 +204,7 @@ public final class Tuning {
     public static final double FOLD_SHIFT = 0.309;
 
     /** Power of two that is the side of the smallest tiles, finest cells, and what it grows by to the next. 3 to 5; 1 to 4. */
-    public static final int TILE_SIDE = Integer.getInteger("side", 3);
+    public static final int TILE_SIDE = 3;
 
     public static final int TILE_SCALE = 2;
 
@@ -214,7 +214,7 @@ public final class Tuning {
     public static final int TILES_FEW = 64;
 
     /** Values up to which one work-group scans them all. 0 (never) to 10^5. */
-    public static final int SCAN_FEW = Integer.getInteger("few", 20000);
+    public static final int SCAN_FEW = 20_000;
 
     /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64. */
     public static final int SCAN = 8;
