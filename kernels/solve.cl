@@ -36,8 +36,8 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
 // A tiling, one work-group a tile.
 __kernel void c2d_solve(C2D_SOLVE, int firstTile) { c2d_solve_tile(firstTile + (int)get_group_id(0), C2D_SOLVE_HERE); }
 
-// The first tiling where circles are few and a launch counts: it begins with the circles of each tile. `moves`: a substep comes before this one. `members` by tile,
-// after all `tiles` of contacts.
+// The first tiling where circles are few and a launch counts: it begins with the circles' own share. `moves`: a substep comes
+// before this one. `members`: the circles of each tile, which are counted after all `tiles` of contacts.
 __kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, int tiles, int moves) {
     const int tile = (int)get_group_id(0);
     const int contacts = tileStart[C2D_PARTS * tiles];

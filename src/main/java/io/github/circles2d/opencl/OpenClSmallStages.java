@@ -189,7 +189,7 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void makeRoom(long needed) {
-        buffers.ensureContacts((long) Math.min(Integer.MAX_VALUE, Math.max(needed, needed * Tuning.GROWTH)));
+        buffers.ensureContacts(Math.max(needed, (long) Math.min(SmallBuffers.MOST_CONTACTS, needed * Tuning.GROWTH)));
         state.clearStatus();
         unbind();
         queued = done;

@@ -10,6 +10,9 @@ import java.nio.ByteOrder;
 
 /** The buffers of small steps that every detection shares; {@link Turn} has the others. Named as the kernels name them. */
 final class SmallBuffers {
+    /** {@code batch} has three ints a contact, and ints say where. */
+    static final int MOST_CONTACTS = Integer.MAX_VALUE / 3;
+
     /** By number: kept from step to step. */
     final DeviceBuffer walls;
 
@@ -77,8 +80,8 @@ final class SmallBuffers {
         if (wanted <= capacity) {
             return;
         }
-        if (wanted >= Integer.MAX_VALUE) {
-            throw new CapacityException("a step found " + wanted + " contacts; a world has room for 2^31 - 2");
+        if (wanted > MOST_CONTACTS) {
+            throw new CapacityException("a step found " + wanted + " contacts; a world has room for " + MOST_CONTACTS);
         }
         capacity = 0;
         for (Turn turn : turns) {

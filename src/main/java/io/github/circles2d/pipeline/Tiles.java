@@ -43,7 +43,7 @@ public final class Tiles {
         // circles that touch lie in neighbouring cells of the wider level
         long span = (2L << widest) - 1;
         int scales = 1;
-        while ((1L << side(scales - 1)) / 3 < span) {
+        while ((1L << side(scales - 1)) - 2L * third(side(scales - 1)) < span) {
             scales++;
         }
         tilings = 3 * scales;
@@ -52,7 +52,7 @@ public final class Tiles {
         for (int tiling = 0; tiling < tilings; tiling++) {
             int at = INTS * tiling;
             int side = side(tiling / 3);
-            int third = ((1 << side) + 2) / 3;
+            int third = third(side);
             int columns = (levels.table[Levels.LAST_X] + 2 * third >> side) + 1;
             int rows = (levels.table[Levels.LAST_Y] + 2 * third >> side) + 1;
             int most = Math.max(Tuning.TILES_FEW, levels.circles / Tuning.CIRCLES_PER_TILE);
@@ -82,6 +82,11 @@ public final class Tiles {
     /** Parts that contacts are counted in, and after them the circles of the tiles of the first tiling. */
     public int parts() {
         return PARTS * (tiles + first(1));
+    }
+
+    /** What a tiling is moved on by; the borders of the last and the first are nearest to each other. */
+    private static int third(int side) {
+        return ((1 << side) + 2) / 3;
     }
 
     /** First tile of a tiling; of the one after the last, the number of tiles. */
