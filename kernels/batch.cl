@@ -32,15 +32,16 @@ static int2 c2d_finest_cell(float2 centre, int8 all, __global const float *rule)
 // The contacts of a tile, and its circles, are counted in so many parts: counting into one place takes turns.
 #define C2D_PARTS 8
 
-// Circles, whose tile is that of the first tiling, are counted after the contacts of all `tiles`. One work-item a contact, going
-// round where they are more.
+// Circles, whose tile is that of the first tiling, are counted after the contacts of all `tiles`, where those are told which
+// are theirs: `fused`. One work-item a contact, going round where they are more.
 __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *levels, __global const int8 *tilings,
                               __global const float *rule, __global const uint *status, int circles,
                               __global const int *listStart, __global const int *other, int capacity, int tiles,
-                              __global int *batch, __global int *tileStart, __global int *turn) {
+                              int fused, __global int *batch, __global int *tileStart, __global int *turn) {
     const int8 all = levels[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : listStart[circles];
+    const int counted = stalled || !fused ? 0 : circles;
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
         const int2 a = c2d_finest_cell(body[batch[k]].s01, all, rule);
         const int2 b = c2d_finest_cell(body[other[k]].s01, all, rule);
@@ -55,7 +56,7 @@ __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *
         batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
         batch[2 * capacity + k] = part;
     }
-    for (int p = (int)get_global_id(0); p < (stalled ? 0 : circles); p += (int)get_global_size(0)) {
+    for (int p = (int)get_global_id(0); p < counted; p += (int)get_global_size(0)) {
         const int tile = c2d_tile(c2d_finest_cell(body[p].s01, all, rule), tilings[0]);
         turn[p] = atomic_inc(&tileStart[C2D_PARTS * (tiles + tile) + p % C2D_PARTS + 1]);
     }
@@ -63,7 +64,7 @@ __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *
 
 __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *levels, __global const int8 *tilings,
                              __global const float *rule, __global const uint *status, int circles,
-                             __global const int *listStart, int capacity, int tiles,
+                             __global const int *listStart, int capacity, int tiles, int fused,
                              __global const int *batch, __global const int *tileStart, __global int *turn,
                              __global int *byTile, __global int *members, __global ulong *mask) {
     const bool stalled = status[C2D_STALLED] != 0u;
@@ -72,8 +73,10 @@ __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *l
         byTile[tileStart[batch[2 * capacity + k]] + batch[capacity + k]] = k;
     }
     for (int p = (int)get_global_id(0); p < (stalled ? 0 : circles); p += (int)get_global_size(0)) {
-        const int tile = c2d_tile(c2d_finest_cell(body[p].s01, levels[0], rule), tilings[0]);
-        members[tileStart[C2D_PARTS * (tiles + tile) + p % C2D_PARTS] - contacts + turn[p]] = p;
+        if (fused) {
+            const int tile = c2d_tile(c2d_finest_cell(body[p].s01, levels[0], rule), tilings[0]);
+            members[tileStart[C2D_PARTS * (tiles + tile) + p % C2D_PARTS] - contacts + turn[p]] = p;
+        }
         turn[p] = 0;
         mask[p] = 0ul;
     }
@@ -86,45 +89,80 @@ __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *l
 // What `tint` can hold.
 #define C2D_COLOUR_MOST 65535
 
-// The buckets of one colour of one level, of those `rows` rows apart whose column and row leave `x` and `y`: one work-item
-// each. `across`: how many there are in a row. `others`: first part of the tiles of the second tiling.
-__kernel void c2d_batch_colour(__global const int *listStart, __global const int *other, __global const int *bucketStart,
-                               __global const int8 *levels, __global uint *status, int capacity,
-                               __global const int *batch, __global ulong *mask, __global int *beyond,
-                               __global ushort *tint, int others, int number, int x, int y, int rows, int across,
-                               int buckets) {
-    const int item = (int)get_global_id(0);
-    if (item >= buckets || status[C2D_STALLED] != 0u) {
-        return;
+#define C2D_BATCH_COLOUR                                                                                               \
+    __global const int *listStart, __global const int *other, __global const int *bucketStart,                           \
+        __global const int8 *levels, __global uint *status, int capacity, __global const int *batch,                     \
+        __global ulong *mask, __global int *beyond, __global ushort *tint, int others
+#define C2D_BATCH_COLOUR_HERE                                                                                          \
+    listStart, other, bucketStart, levels, status, capacity, batch, mask, beyond, tint, others
+
+static void c2d_batch_colour_list(int i, int k, int end, C2D_BATCH_COLOUR) {
+    ulong own = mask[i];
+    for (; k < end; k++) {
+        const int j = other[k];
+        const ulong there = mask[j];
+        const ulong usable = batch[2 * capacity + k] < others ? C2D_FIRST_COLOURS : ~C2D_FIRST_COLOURS;
+        const ulong free = ~(own | there) & usable;
+        const ulong lowest = free & (0ul - free);
+        int colour = C2D_COLOURS - 1 - (int)clz(lowest);
+        if (free != 0ul) {
+            own |= lowest;
+            mask[j] = there | lowest;
+        } else {
+            const int next = max(beyond[i], beyond[j]) + 1;
+            beyond[i] = next;
+            beyond[j] = next;
+            colour = C2D_COLOURS - 1 + next;
+            if (colour > C2D_COLOUR_MOST) {
+                status[C2D_STALLED] = C2D_TOO_DENSE;
+            }
+        }
+        tint[k] = (ushort)colour;
     }
-    const int8 level = levels[1 + number];
+    mask[i] = own;
+}
+
+// Bucket `item` of one colour of a level, of those `rows` rows apart whose column and row leave `x` and `y`. `across`: how many
+// there are in a row.
+static void c2d_batch_colour_bucket(int item, int8 level, int x, int y, int rows, int across, C2D_BATCH_COLOUR) {
     const int bucket = level.C2D_BASE + (y + rows * (item / across)) * level.C2D_WIDTH + x + 3 * (item % across);
     const int last = bucketStart[bucket + 1];
-    for (int i = bucketStart[bucket]; i < last; i++) {
+    int i = bucketStart[bucket];
+    int start = listStart[i];
+    for (; start < listStart[last]; i++) {
         const int end = listStart[i + 1];
-        ulong own = mask[i];
-        for (int k = listStart[i]; k < end; k++) {
-            const int j = other[k];
-            const ulong there = mask[j];
-            const ulong usable = batch[2 * capacity + k] < others ? C2D_FIRST_COLOURS : ~C2D_FIRST_COLOURS;
-            const ulong free = ~(own | there) & usable;
-            const ulong lowest = free & (0ul - free);
-            int colour = C2D_COLOURS - 1 - (int)clz(lowest);
-            if (free != 0ul) {
-                own |= lowest;
-                mask[j] = there | lowest;
-            } else {
-                const int next = max(beyond[i], beyond[j]) + 1;
-                beyond[i] = next;
-                beyond[j] = next;
-                colour = C2D_COLOURS - 1 + next;
-                if (colour > C2D_COLOUR_MOST) {
-                    status[C2D_STALLED] = C2D_TOO_DENSE;
-                }
-            }
-            tint[k] = (ushort)colour;
+        if (start < end) {
+            c2d_batch_colour_list(i, start, end, C2D_BATCH_COLOUR_HERE);
         }
-        mask[i] = own;
+        start = end;
+    }
+}
+
+// One work-item a bucket. `others`: first part of the tiles of the second tiling.
+__kernel void c2d_batch_colour(C2D_BATCH_COLOUR, int number, int x, int y, int rows, int across, int buckets) {
+    const int item = (int)get_global_id(0);
+    if (item < buckets && status[C2D_STALLED] == 0u) {
+        c2d_batch_colour_bucket(item, levels[1 + number], x, y, rows, across, C2D_BATCH_COLOUR_HERE);
+    }
+}
+
+// The levels from `firstLevel` on, all of their colours, in one launch of one work-group: where buckets are few, launches would
+// cost more than the work.
+__kernel void c2d_batch_colour_few(C2D_BATCH_COLOUR, int firstLevel, int levelCount) {
+    const bool stalled = status[C2D_STALLED] != 0u;
+    for (int number = firstLevel; number < levelCount; number++) {
+        const int8 level = levels[1 + number];
+        const int rows = number == 0 ? 2 : 3;
+        for (int colour = 0; colour < 3 * rows; colour++) {
+            const int x = colour % 3;
+            const int y = colour / 3;
+            const int across = (level.C2D_WIDTH - x + 2) / 3;
+            const int buckets = stalled ? 0 : across * ((level.C2D_HEIGHT - y + rows - 1) / rows);
+            for (int item = (int)get_local_id(0); item < buckets; item += (int)get_local_size(0)) {
+                c2d_batch_colour_bucket(item, level, x, y, rows, across, C2D_BATCH_COLOUR_HERE);
+            }
+            barrier(CLK_GLOBAL_MEM_FENCE);
+        }
     }
 }
 

@@ -17,8 +17,10 @@ final class Batch {
     private final Scan scan;
     private final Kernel fill;
     private final List<Kernel> colours = new ArrayList<>();
+    private final Kernel few;
     private final Kernel order;
     private int launches;
+    private boolean hasFew;
 
     Batch(Session session, Program program) {
         this.session = session;
@@ -26,6 +28,7 @@ final class Batch {
         count = new Kernel(session, program, "c2d_batch_count");
         scan = new Scan(session, program);
         fill = new Kernel(session, program, "c2d_batch_fill");
+        few = new Kernel(session, program, "c2d_batch_colour_few");
         order = new Kernel(session, program, "c2d_batch_order");
     }
 
@@ -36,16 +39,18 @@ final class Batch {
         DeviceBuffer status = world.state().status;
         int capacity = buffers.capacity();
         Tiles tiles = world.tiles();
+        int fused = world.few() ? 1 : 0;
         Object[] known = {
             now.body, buffers.levels, buffers.tilings, buffers.rule, status, world.circles(), now.listStart
         };
-        count.arguments(known, now.other, capacity, tiles.tiles, free.body, buffers.tileStart, buffers.from)
+        count.arguments(known, now.other, capacity, tiles.tiles, fused, free.body, buffers.tileStart, buffers.from)
                 .range(world.contacts(), world.group());
-        scan.bind(world, buffers.tileStart, tiles.parts() + 1, -1);
+        scan.bind(world, buffers.tileStart, (world.few() ? tiles.parts() : Tiles.PARTS * tiles.tiles) + 1, -1);
         fill.arguments(
                         known,
                         capacity,
                         tiles.tiles,
+                        fused,
                         free.body,
                         buffers.tileStart,
                         buffers.from,
@@ -53,10 +58,27 @@ final class Batch {
                         free.id,
                         buffers.kicked)
                 .range(world.contacts(), world.group());
+        Levels levels = world.levels();
+        Object[] contacts = {
+            now.listStart,
+            now.other,
+            buffers.bucketStart,
+            buffers.levels,
+            status,
+            capacity,
+            free.body,
+            buffers.kicked,
+            buffers.from,
+            free.listStart,
+            Tiles.PARTS * tiles.first(1)
+        };
+        int wide = world.config().smallWorld() > 0 ? wideLevels(levels) : levels.count;
         launches = 0;
-        for (int level = 0; level < world.levels().count; level++) {
-            bindLevel(world, level);
+        for (int level = 0; level < wide; level++) {
+            bindLevel(world, contacts, level);
         }
+        hasFew = wide < levels.count;
+        few.arguments(contacts, wide, levels.count).range(1, world.oneGroup());
         order.arguments(
                         now.other,
                         free.other,
@@ -71,41 +93,40 @@ final class Batch {
                 .groups(tiles.tiles, world.tileGroup());
     }
 
-    private void bindLevel(SmallWorld world, int level) {
-        SmallBuffers buffers = world.buffers();
-        Turn now = world.now();
-        Turn free = world.before();
-        Levels levels = world.levels();
+    private void bindLevel(SmallWorld world, Object[] contacts, int level) {
         int rows = Levels.rows(level);
         for (int which = 0; which < 3 * rows; which++) {
             int x = which % 3;
             int y = which / 3;
-            int across = (levels.table[Levels.at(level) + Levels.WIDTH] - x + 2) / 3;
-            int buckets = across * ((levels.table[Levels.at(level) + Levels.HEIGHT] - y + rows - 1) / rows);
+            int across = across(world.levels(), level, x);
+            int buckets = across * up(world.levels(), level, y);
             if (launches == colours.size()) {
                 colours.add(new Kernel(session, program, "c2d_batch_colour"));
             }
             colours.get(launches++)
-                    .arguments(
-                            now.listStart,
-                            now.other,
-                            buffers.bucketStart,
-                            buffers.levels,
-                            world.state().status,
-                            buffers.capacity(),
-                            free.body,
-                            buffers.kicked,
-                            buffers.from,
-                            free.listStart,
-                            Tiles.PARTS * world.tiles().first(1),
-                            level,
-                            x,
-                            y,
-                            rows,
-                            across,
-                            buckets)
+                    .arguments(contacts, level, x, y, rows, across, buckets)
                     .range(buckets, Math.min(world.group(), Tuning.COLOUR_WORK_GROUP));
         }
+    }
+
+    /** Buckets of one colour in a row. */
+    private static int across(Levels levels, int level, int x) {
+        return (levels.table[Levels.at(level) + Levels.WIDTH] - x + 2) / 3;
+    }
+
+    /** Rows with buckets of one colour. */
+    private static int up(Levels levels, int level, int y) {
+        int rows = Levels.rows(level);
+        return (levels.table[Levels.at(level) + Levels.HEIGHT] - y + rows - 1) / rows;
+    }
+
+    /** Levels up to the last that is worth launches of its own. */
+    private static int wideLevels(Levels levels) {
+        int wide = levels.count;
+        while (wide > 0 && across(levels, wide - 1, 0) * up(levels, wide - 1, 0) <= Tuning.NARROW) {
+            wide--;
+        }
+        return wide;
     }
 
     void run() {
@@ -114,6 +135,9 @@ final class Batch {
         fill.launch();
         for (int k = 0; k < launches; k++) {
             colours.get(k).launch();
+        }
+        if (hasFew) {
+            few.launch();
         }
         order.launch();
     }
