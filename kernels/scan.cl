@@ -13,7 +13,7 @@ __kernel void c2d_scan_parts(__global int *values, int all, __global int *partSu
     }
 }
 
-// The one place that stalls a detection: where the values are the lengths of lists, with room for `capacity` contacts; -1 for
+// The one place that stalls a detection until there is room: where the values are the lengths of lists, with room for `capacity` contacts; -1 for
 // other values.
 static void c2d_scan_check(int contacts, int capacity, __global uint *status) {
     if (get_local_id(0) == 0 && capacity >= 0 && status[C2D_STALLED] == 0u) {

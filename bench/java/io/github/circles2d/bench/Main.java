@@ -36,6 +36,7 @@ public final class Main {
             case "Peers" -> Peers.main(rest);
             case "Scaling" -> Scaling.main(rest);
             case "Frame" -> Frame.main(rest);
+            case "Auto" -> Auto.main(rest);
             case "Hashes" -> Hashes.main(rest);
             case "Quality" -> Quality.main(rest);
             case "StageTimes" -> StageTimes.main(rest);

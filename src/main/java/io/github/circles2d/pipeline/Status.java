@@ -32,7 +32,7 @@ public final class Status {
     /** What is thrown where so many circles lie on each other that their contacts have no order. */
     public static CapacityException tooDense() {
         return new CapacityException("circles lie on each other so densely that a chain of contacts takes more than "
-                + MOST_COLOURS + " turns; more substeps, or fewer circles in one place, avoid that");
+                + (MOST_COLOURS + 1) + " turns; more substeps, or fewer circles in one place, avoid that");
     }
 
     /** Updates run, or of small steps detections done, since the last time it was asked, or since room was made. */
