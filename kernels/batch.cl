@@ -23,12 +23,6 @@ static int c2d_tile(int2 cell, int8 tiling) {
     return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
 }
 
-static int2 c2d_finest_cell(float2 centre, int8 all, __global const float *rule) {
-    const float perUnit = as_float(all.C2D_PER_UNIT);
-    return (int2)(c2d_finest(centre.x, C2D_MIN(0), perUnit, all.C2D_LAST_X),
-                  c2d_finest(centre.y, C2D_MIN(1), perUnit, all.C2D_LAST_Y));
-}
-
 // The contacts of a tile, and its circles, are counted in so many parts: counting into one place takes turns.
 #define C2D_PARTS 8
 

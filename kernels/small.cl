@@ -63,16 +63,20 @@ static int c2d_finest(float coordinate, float min, float perUnit, int last) {
     return (int)(low < (float)last ? low : (float)last);
 }
 
+static int2 c2d_finest_cell(float2 centre, int8 all, __global const float *rule) {
+    const float perUnit = as_float(all.C2D_PER_UNIT);
+    return (int2)(c2d_finest(centre.x, C2D_MIN(0), perUnit, all.C2D_LAST_X),
+                  c2d_finest(centre.y, C2D_MIN(1), perUnit, all.C2D_LAST_Y));
+}
+
 // The cell of a circle: finest column and row, and the number of its level.
 static int4 c2d_cell(float8 body, __global const int8 *levels, __global const float *rule) {
     const int8 all = levels[0];
-    const float perUnit = as_float(all.C2D_PER_UNIT);
     int number = 0;
     while (number < all.C2D_LEVELS - 1 && body.s6 > as_float(levels[1 + number].C2D_LARGEST)) {
         number++;
     }
-    return (int4)(c2d_finest(body.s0, C2D_MIN(0), perUnit, all.C2D_LAST_X),
-                  c2d_finest(body.s1, C2D_MIN(1), perUnit, all.C2D_LAST_Y), number, 0);
+    return (int4)(c2d_finest_cell(body.s01, all, rule), number, 0);
 }
 
 static float c2d_positive(float x) { return x > 0.0f ? x : 0.0f; }

@@ -8,10 +8,10 @@ import io.github.circles2d.demo.Scene;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.openjdk.jmh.util.ListStatistics;
 
 /**
  * Whether {@link IndexStrategy#auto()} chooses well: milliseconds a step, with the read-back, of each built-in strategy and of the
@@ -130,9 +130,7 @@ public final class Auto {
     }
 
     private static double median(List<Double> values) {
-        double[] sorted = values.stream().mapToDouble(Double::doubleValue).toArray();
-        Arrays.sort(sorted);
-        return sorted[sorted.length / 2];
+        return new ListStatistics(values.stream().mapToDouble(ms -> ms).toArray()).getPercentile(50);
     }
 
     private static void write(Rows rows, Path folder) throws IOException {

@@ -3,7 +3,6 @@ package io.github.circles2d.host;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.Tiles;
-import io.github.circles2d.pipeline.WorldConfig;
 import java.util.Arrays;
 
 /** Twin of {@code kernels/batch.cl}: puts the contacts in the order in which they are solved. */
@@ -11,7 +10,6 @@ final class Batch {
     /** Of the colours of which a circle has a mask, those for the first tiling: {@code C2D_FIRST_COLOURS}. */
     private static final long FIRST_COLOURS = 0xFFFFFFFFL;
 
-    private final WorldConfig config;
     private final SmallState state;
     private final SmallContacts contacts;
     private final Workers workers;
@@ -46,8 +44,7 @@ final class Batch {
 
     private int[] tileStart = {0};
 
-    Batch(WorldConfig config, SmallState state, SmallContacts contacts, Workers workers) {
-        this.config = config;
+    Batch(SmallState state, SmallContacts contacts, Workers workers) {
         this.state = state;
         this.contacts = contacts;
         this.workers = workers;
@@ -97,25 +94,13 @@ final class Batch {
     }
 
     private int tile(int i, int j) {
-        int ax = levels.column(x(i), config.minX());
-        int ay = levels.row(y(i), config.minY());
-        int bx = levels.column(x(j), config.minX());
-        int by = levels.row(y(j), config.minY());
-        int tiling = 0;
-        int tile = tiles.tile(0, ax, ay);
-        while (tile != tiles.tile(tiling, bx, by)) {
-            tiling++;
-            tile = tiles.tile(tiling, ax, ay);
+        int which = 0;
+        int tile = tiles.tile(0, state.column(i), state.row(i));
+        while (tile != tiles.tile(which, state.column(j), state.row(j))) {
+            which++;
+            tile = tiles.tile(which, state.column(i), state.row(i));
         }
         return tile;
-    }
-
-    private float x(int i) {
-        return state.body[SmallState.BODY * i + SmallState.X];
-    }
-
-    private float y(int i) {
-        return state.body[SmallState.BODY * i + SmallState.Y];
     }
 
     /** {@code c2d_batch_colour}: of each level a colour of buckets at a time, which share no circle. */

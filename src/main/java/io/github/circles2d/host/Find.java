@@ -7,7 +7,6 @@ import java.util.Arrays;
 
 /** Twin of {@code kernels/find.cl}: lists the pairs of circles that may touch before the next detection. */
 final class Find {
-    private final WorldConfig config;
     private final SmallState state;
     private final SmallContacts contacts;
     private final Workers workers;
@@ -25,7 +24,6 @@ final class Find {
     private float fall;
 
     Find(WorldConfig config, SmallState state, SmallContacts contacts, Workers workers) {
-        this.config = config;
         this.state = state;
         this.contacts = contacts;
         this.workers = workers;
@@ -115,8 +113,8 @@ final class Find {
         int a = levels.levelOf(radius(i));
         int b = levels.levelOf(radius(j));
         int shift = levels.table[Levels.at(Math.max(a, b)) + Levels.SHIFT];
-        int dx = (column(i) >> shift) - (column(j) >> shift);
-        int dy = (row(i) >> shift) - (row(j) >> shift);
+        int dx = (state.column(i) >> shift) - (state.column(j) >> shift);
+        int dy = (state.row(i) >> shift) - (state.row(j) >> shift);
         if (Math.abs(dx) > 1 || Math.abs(dy) > 1) {
             return;
         }
@@ -132,8 +130,8 @@ final class Find {
         for (int number = home; number < levels.count; number++) {
             int at = Levels.at(number);
             int shift = levels.table[at + Levels.SHIFT];
-            int x = column(i) >> shift;
-            int y = row(i) >> shift;
+            int x = state.column(i) >> shift;
+            int y = state.row(i) >> shift;
             boolean same = number == home;
             boolean folded = levels.folded(at);
             int lastRow = Math.min(y + 1, levels.table[at + Levels.LAST_Y]);
@@ -145,7 +143,8 @@ final class Find {
                     boolean mine = same && row == y && column == x;
                     for (int j = mine ? i + 1 : state.bucketStart[bucket]; j < state.bucketStart[bucket + 1]; j++) {
                         // a bucket of a folded level holds circles of cells far apart
-                        if (near(i, j) && (!folded || column(j) >> shift == column && row(j) >> shift == row)) {
+                        if (near(i, j)
+                                && (!folded || state.column(j) >> shift == column && state.row(j) >> shift == row)) {
                             if (same) {
                                 ownFound.append(j, i);
                             } else {
@@ -159,14 +158,6 @@ final class Find {
                 Arrays.sort(ownFound.other, begin, ownFound.count);
             }
         }
-    }
-
-    private int column(int i) {
-        return state.levels.column(state.body[SmallState.BODY * i], config.minX());
-    }
-
-    private int row(int i) {
-        return state.levels.row(state.body[SmallState.BODY * i + 1], config.minY());
     }
 
     private float radius(int i) {

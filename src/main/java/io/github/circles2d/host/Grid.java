@@ -1,12 +1,10 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
-import io.github.circles2d.pipeline.WorldConfig;
 import java.util.Arrays;
 
 /** Twin of {@code kernels/grid.cl}: sorts the circles by bucket, and by number within each. */
 final class Grid {
-    private final WorldConfig config;
     private final SmallState state;
     private float[] sorted = {};
     private int[] sortedId = {};
@@ -15,8 +13,7 @@ final class Grid {
 
     private int[] placeOf = {};
 
-    Grid(WorldConfig config, SmallState state) {
-        this.config = config;
+    Grid(SmallState state) {
         this.state = state;
     }
 
@@ -28,8 +25,8 @@ final class Grid {
             int b = SmallState.BODY * i;
             int at = Levels.at(levels.levelOf(state.body[b + SmallState.RADIUS]));
             int shift = levels.table[at + Levels.SHIFT];
-            int x = levels.column(state.body[b], config.minX());
-            int y = levels.row(state.body[b + 1], config.minY());
+            int x = state.column(i);
+            int y = state.row(i);
             int bucket = levels.bucket(at, x >> shift, y >> shift);
             placeOf[state.id[i]] = i;
             bucketOf[state.id[i]] = bucket;

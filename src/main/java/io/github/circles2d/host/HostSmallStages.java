@@ -25,11 +25,11 @@ public final class HostSmallStages implements SmallStages {
 
     public HostSmallStages(WorldConfig config) {
         this.config = config;
-        grid = new Grid(config, state);
+        grid = new Grid(state);
         find = new Find(config, state, contacts, workers);
         match = new Match(state, contacts, workers);
         integrate = new Integrate(state, workers);
-        batch = new Batch(config, state, contacts, workers);
+        batch = new Batch(state, contacts, workers);
         solve = new Solve(state, contacts, batch);
     }
 

@@ -102,6 +102,16 @@ final class SmallState {
         toVelocities.put(0, velocities, 0, 2 * circles);
     }
 
+    /** The finest column of a circle. */
+    int column(int i) {
+        return levels.column(body[BODY * i + X], number(Substeps.MIN_X));
+    }
+
+    /** The finest row of a circle. */
+    int row(int i) {
+        return levels.row(body[BODY * i + Y], number(Substeps.MIN_Y));
+    }
+
     float number(int which) {
         return substeps.numbers()[which];
     }

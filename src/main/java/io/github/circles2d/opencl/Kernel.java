@@ -50,8 +50,8 @@ final class Kernel implements AutoCloseable {
     }
 
     /** Sets the arguments that come after those of {@link #arguments}. */
-    void more(Object... values) {
-        set(set, values);
+    void more(float first, float second) {
+        set(set, first, second);
     }
 
     /** Work-items of a group. */
