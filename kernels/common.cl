@@ -28,6 +28,16 @@ typedef uint c2d_index;
 typedef uint2 c2d_row;
 #endif
 
+// Pairs that a work-item of detect looks at.
+#ifndef C2D_PAIRS
+#define C2D_PAIRS 1
+#endif
+
+// Values that a work-item scans at a time.
+#ifndef C2D_SCAN
+#define C2D_SCAN 8
+#endif
+
 // Pairs of the triangle that share a mark.
 #ifndef C2D_BLOCK
 #define C2D_BLOCK 256
@@ -59,34 +69,41 @@ static void c2d_append(int2 pair, float2 translation, __global int4 *found, __gl
     }
 }
 
-// Turns counts into sums, each the sum of all up to it; sums too large for an int stay the largest int. Every work-item of a
-// group has some of the values.
-static int c2d_scan_part(__global int *values, int first, int end, __local int *sums) {
+// Turns counts into sums, each the sum of all up to it and of `before`; sums too large for an int stay the largest int. Every
+// work-item of a group has C2D_SCAN of the values, from `first` on. Returns the sum up to the last of its own.
+static int c2d_scan_part(__global int *values, int first, int count, int before, __local int *sums) {
     const int item = (int)get_local_id(0);
-    int own = 0;
-    for (int k = first; k < end; k++) {
-        own = add_sat(own, values[k]);
+    int own[C2D_SCAN];
+    int sum = 0;
+    for (int k = 0; k < C2D_SCAN; k++) {
+        own[k] = first + k < count ? values[first + k] : 0;
+        sum = add_sat(sum, own[k]);
     }
-    sums[item] = own;
+    sums[item] = sum;
     for (int step = 1; step < (int)get_local_size(0); step *= 2) {
         barrier(CLK_LOCAL_MEM_FENCE);
-        const int before = item >= step ? sums[item - step] : 0;
+        const int lower = item >= step ? sums[item - step] : 0;
         barrier(CLK_LOCAL_MEM_FENCE);
-        sums[item] = add_sat(sums[item], before);
+        sums[item] = add_sat(sums[item], lower);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    int sum = item > 0 ? sums[item - 1] : 0;
-    for (int k = first; k < end; k++) {
-        sum = add_sat(sum, values[k]);
-        values[k] = sum;
+    sum = item > 0 ? add_sat(before, sums[item - 1]) : before;
+    for (int k = 0; k < C2D_SCAN; k++) {
+        sum = add_sat(sum, own[k]);
+        if (first + k < count) {
+            values[first + k] = sum;
+        }
     }
     return sum;
 }
 
-// The same for all of the values, shared out among one group.
+// The same for all of the values, by one group: as many as it can at a time.
 static void c2d_scan_group(__global int *values, int count, __local int *sums) {
     const int items = (int)get_local_size(0);
-    const int part = (count + items - 1) / items;
-    const int first = min((int)get_local_id(0) * part, count);
-    c2d_scan_part(values, first, min(first + part, count), sums);
+    int before = 0;
+    for (int from = 0; from < count; from += C2D_SCAN * items) {
+        c2d_scan_part(values, from + C2D_SCAN * (int)get_local_id(0), count, before, sums);
+        before = add_sat(before, sums[items - 1]);
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
 }

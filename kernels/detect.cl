@@ -1,5 +1,5 @@
 // Finds the circles that overlap and the vector that parts them (thesis, chapter 4, kernels 2 to 4).
-// One work-item a pair; which pair, the index strategy says.
+// One work-item for C2D_PAIRS pairs, far apart, so that neighbours look at neighbours; which pair, the index strategy says.
 
 // A unit vector for two circles with one centre: fixed by their numbers, different for each pair.
 static float2 c2d_direction(int i, int j) {
@@ -40,22 +40,32 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
 __kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global uint *status,
                          int circles, ulong first, ulong pairs, __global int4 *found, uint capacity) {
 #endif
-    const size_t item = get_global_id(0);
-    if (item >= pairs || status[C2D_STALLED] != 0u) {
+    if (status[C2D_STALLED] != 0u) {
         return;
     }
-    const int2 pair = c2d_pair_at((c2d_index)first + (c2d_index)item, (c2d_index)first, circles, table);
-    const float2 translation = c2d_translation(circle[pair.x], circle[pair.y], pair.x, pair.y);
+    const c2d_index stride = (c2d_index)((pairs + C2D_PAIRS - 1) / C2D_PAIRS);
+    if ((c2d_index)get_global_id(0) >= stride) {
+        return;
+    }
+    c2d_index item = (c2d_index)get_global_id(0);
+#pragma unroll
+    for (int turn = 0; turn < C2D_PAIRS; turn++) {
+        if (item < (c2d_index)pairs) {
+            const int2 pair = c2d_pair_at((c2d_index)first + item, (c2d_index)first, circles, table);
+            const float2 translation = c2d_translation(circle[pair.x], circle[pair.y], pair.x, pair.y);
 #if C2D_TRIANGLE
-    collision[item] = translation;
-    if (translation.x != 0.0f || translation.y != 0.0f) {
-        // the number of this step: marks of earlier ones need no clearing
-        atomic_xchg(&mark[item / C2D_BLOCK], status[C2D_UPDATES]);
-    }
+            collision[item] = translation;
+            if (translation.x != 0.0f || translation.y != 0.0f) {
+                // the number of this step: marks of earlier ones need no clearing
+                atomic_xchg(&mark[item / C2D_BLOCK], status[C2D_UPDATES]);
+            }
 #else
-    if (translation.x != 0.0f || translation.y != 0.0f) {
-        c2d_append(pair, translation, found, status, capacity);
-    }
+            if (translation.x != 0.0f || translation.y != 0.0f) {
+                c2d_append(pair, translation, found, status, capacity);
+            }
 #endif
+        }
+        item += stride;
+    }
 }
 #endif

@@ -8,14 +8,18 @@ typedef struct {
     float kick;
 } c2d_axis;
 
+static bool c2d_near_wall(c2d_axis a, float sign, float gap, float radius, __global const float *rule) {
+    return gap < 2.0f * radius || gap + sign * a.velocity * C2D_TIME < 0.0f;
+}
+
 // A wall, as a contact with something that does not move. `sign` leads inside, `kicked` is the kick in the velocity. `memory`:
 // the impulse to come and the last one.
 static c2d_axis c2d_small_wall(c2d_axis a, float sign, float gap, float radius, float w, float kicked, bool carried,
                                float gain, float2 *memory, __global const float *rule) {
-    const float speed = sign * a.velocity;
-    if (!(gap < 2.0f * radius || gap + speed * C2D_TIME < 0.0f)) {
+    if (!c2d_near_wall(a, sign, gap, radius, rule)) {
         return a;
     }
+    const float speed = sign * a.velocity;
     const float come = (*memory).x;
     const float last = (*memory).y;
     float impulse = come - (speed + c2d_positive(gap) * C2D_PER_TIME) / w;
@@ -48,15 +52,18 @@ static c2d_axis c2d_small_move(c2d_axis a, int axis, float radius, float w, floa
                                __global float2 *walls, __global const float *rule) {
     const float low = a.position - C2D_MIN(axis) - radius;
     const float high = C2D_MAX(axis) - a.position - radius;
-    const float gain = C2D_GAIN(axis);
-    const float2 was = *walls;
-    float2 memoryLow = c2d_of_wall(was, 1.0f);
-    float2 memoryHigh = c2d_of_wall(was, -1.0f);
-    a = c2d_small_wall(a, 1.0f, low, radius, w, kicked, carried, gain, &memoryLow, rule);
-    a = c2d_small_wall(a, -1.0f, high, radius, w, kicked, carried, gain, &memoryHigh, rule);
-    const float2 now = c2d_of_walls(memoryLow, memoryHigh);
-    if (now.x != was.x || now.y != was.y) {
-        *walls = now;
+    // most circles are near none, and what is remembered of walls lies far apart in memory
+    if (c2d_near_wall(a, 1.0f, low, radius, rule) || c2d_near_wall(a, -1.0f, high, radius, rule)) {
+        const float gain = C2D_GAIN(axis);
+        const float2 was = *walls;
+        float2 memoryLow = c2d_of_wall(was, 1.0f);
+        float2 memoryHigh = c2d_of_wall(was, -1.0f);
+        a = c2d_small_wall(a, 1.0f, low, radius, w, kicked, carried, gain, &memoryLow, rule);
+        a = c2d_small_wall(a, -1.0f, high, radius, w, kicked, carried, gain, &memoryHigh, rule);
+        const float2 now = c2d_of_walls(memoryLow, memoryHigh);
+        if (now.x != was.x || now.y != was.y) {
+            *walls = now;
+        }
     }
     const float half_radius = 0.5f * radius;
     const float min = C2D_MIN(axis) + half_radius;

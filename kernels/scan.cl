@@ -6,8 +6,8 @@ __kernel void c2d_scan_parts(__global int *values, int all, __global int *partSu
                              __local int *sums) {
     // in a step that has stalled, these are the values of the detection before: they are still needed
     const int count = status[C2D_STALLED] != 0u ? 0 : all;
-    const int first = min((int)get_global_id(0) * C2D_SCAN, count);
-    const int sum = c2d_scan_part(values, first, min(first + C2D_SCAN, count), sums);
+    const int first = (int)get_global_id(0) * C2D_SCAN;
+    const int sum = c2d_scan_part(values, first, count, 0, sums);
     if (get_local_id(0) == get_local_size(0) - 1) {
         partSums[get_group_id(0)] = sum;
     }

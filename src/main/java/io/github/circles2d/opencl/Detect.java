@@ -85,7 +85,10 @@ final class Detect {
             } else {
                 slice.detect.arguments(state.circle, pairs, list);
             }
-            slice.detect.range(slice.pairs, group, Tuning.PAIRS_PER_LAUNCH);
+            slice.detect.range(
+                    (slice.pairs + Tuning.PAIRS_PER_ITEM - 1) / Tuning.PAIRS_PER_ITEM,
+                    group,
+                    Tuning.PAIRS_PER_LAUNCH / Tuning.PAIRS_PER_ITEM);
         }
     }
 

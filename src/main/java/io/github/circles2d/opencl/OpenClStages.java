@@ -61,7 +61,8 @@ final class OpenClStages implements Stages {
                         "C2D_WIDE", wanted ? 1 : 0,
                         "C2D_TRIANGLE", config.triangle() ? 1 : 0,
                         "C2D_PAIRWISE", config.strategy().pairwise() ? 1 : 0,
-                        "C2D_BLOCK", Tuning.BLOCK),
+                        "C2D_BLOCK", Tuning.BLOCK,
+                        "C2D_PAIRS", Tuning.PAIRS_PER_ITEM),
                 List.of(
                         Program.file("common.cl"),
                         Map.entry(

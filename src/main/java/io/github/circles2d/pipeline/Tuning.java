@@ -56,6 +56,9 @@ public final class Tuning {
     /** Most pairs of one launch: a driver's watchdog allows some seconds, this takes milliseconds. 2^20 to 2^30. */
     public static final long PAIRS_PER_LAUNCH = 1L << 28;
 
+    /** Pairs that a work-item of detect looks at, {@code C2D_PAIRS}. 1 to 16: on a GPU 4 are an eighth faster than 1. */
+    public static final int PAIRS_PER_ITEM = 4;
+
     /** Largest single buffer of the triangle, bytes. 2^20 to 2^30. */
     public static final long TRIANGLE_BYTES = 1L << 30;
 
