@@ -26,8 +26,31 @@ static int c2d_tile(int2 cell, int8 tiling) {
 // The contacts of a tile, and its circles, are counted in so many parts: counting into one place takes turns.
 #define C2D_PARTS 8
 
-// Circles, whose tile is that of the first tiling, are counted after the contacts of all `tiles`, where those are told which
-// are theirs: `fused`. One work-item a contact, going round where they are more.
+// Contact k, at one of the parts of its tile.
+static void c2d_batch_count_at(int k, __global const float8 *body, int8 all, __global const int8 *tilings,
+                               __global const float *rule, __global const int *other, int capacity, __global int *batch,
+                               __global int *tileStart) {
+    const int2 a = c2d_finest_cell(body[batch[k]].s01, all, rule);
+    const int2 b = c2d_finest_cell(body[other[k]].s01, all, rule);
+    // the last tiling holds whatever those before do not
+    int tiling = 0;
+    int tile = c2d_tile(a, tilings[0]);
+    while (tile != c2d_tile(b, tilings[tiling])) {
+        tiling++;
+        tile = c2d_tile(a, tilings[tiling]);
+    }
+    const int part = C2D_PARTS * tile + k % C2D_PARTS;
+    batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
+    batch[2 * capacity + k] = part;
+}
+
+// The part of the circle at place p: circles are counted after the contacts of all `tiles`, by tiles of the first tiling.
+static int c2d_batch_part(int p, __global const float8 *body, int8 all, __global const int8 *tilings,
+                          __global const float *rule, int tiles) {
+    return C2D_PARTS * (tiles + c2d_tile(c2d_finest_cell(body[p].s01, all, rule), tilings[0])) + p % C2D_PARTS;
+}
+
+// One work-item a contact, going round where they are more. Circles are counted where tiles are told which are theirs: `fused`.
 __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *levels, __global const int8 *tilings,
                               __global const float *rule, __global const uint *status, int circles,
                               __global const int *listStart, __global const int *other, int capacity, int tiles,
@@ -35,25 +58,17 @@ __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *
     const int8 all = levels[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : listStart[circles];
-    const int counted = stalled || !fused ? 0 : circles;
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        const int2 a = c2d_finest_cell(body[batch[k]].s01, all, rule);
-        const int2 b = c2d_finest_cell(body[other[k]].s01, all, rule);
-        // the last tiling holds whatever those before do not
-        int tiling = 0;
-        int tile = c2d_tile(a, tilings[0]);
-        while (tile != c2d_tile(b, tilings[tiling])) {
-            tiling++;
-            tile = c2d_tile(a, tilings[tiling]);
-        }
-        const int part = C2D_PARTS * tile + k % C2D_PARTS;
-        batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
-        batch[2 * capacity + k] = part;
+        c2d_batch_count_at(k, body, all, tilings, rule, other, capacity, batch, tileStart);
     }
-    for (int p = (int)get_global_id(0); p < counted; p += (int)get_global_size(0)) {
-        const int tile = c2d_tile(c2d_finest_cell(body[p].s01, all, rule), tilings[0]);
-        turn[p] = atomic_inc(&tileStart[C2D_PARTS * (tiles + tile) + p % C2D_PARTS + 1]);
+    for (int p = (int)get_global_id(0); p < (stalled || !fused ? 0 : circles); p += (int)get_global_size(0)) {
+        turn[p] = atomic_inc(&tileStart[c2d_batch_part(p, body, all, tilings, rule, tiles) + 1]);
     }
+}
+
+static void c2d_batch_fill_at(int k, int capacity, __global const int *batch, __global const int *tileStart,
+                              __global int *byTile) {
+    byTile[tileStart[batch[2 * capacity + k]] + batch[capacity + k]] = k;
 }
 
 __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *levels, __global const int8 *tilings,
@@ -61,15 +76,15 @@ __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *l
                              __global const int *listStart, int capacity, int tiles, int fused,
                              __global const int *batch, __global const int *tileStart, __global int *turn,
                              __global int *byTile, __global int *members, __global ulong *mask) {
+    const int8 all = levels[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : listStart[circles];
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        byTile[tileStart[batch[2 * capacity + k]] + batch[capacity + k]] = k;
+        c2d_batch_fill_at(k, capacity, batch, tileStart, byTile);
     }
     for (int p = (int)get_global_id(0); p < (stalled ? 0 : circles); p += (int)get_global_size(0)) {
         if (fused) {
-            const int tile = c2d_tile(c2d_finest_cell(body[p].s01, levels[0], rule), tilings[0]);
-            members[tileStart[C2D_PARTS * (tiles + tile) + p % C2D_PARTS] - contacts + turn[p]] = p;
+            members[tileStart[c2d_batch_part(p, body, all, tilings, rule, tiles)] - contacts + turn[p]] = p;
         }
         turn[p] = 0;
         mask[p] = 0ul;
@@ -160,28 +175,32 @@ __kernel void c2d_batch_colour_few(C2D_BATCH_COLOUR, int firstLevel, int levelCo
     }
 }
 
-// One work-group a tile: its contacts by colour, to `pairs` and to the second part of `batch`. `counts`: of so many colours, then
-// how many contacts are in order, then the lowest colour that comes later.
-__kernel void c2d_batch_order(__global const int *other, __global const int *byTile, __global const ushort *tint,
-                              int capacity, __global int *batch, __global int2 *pairs, __global const int *tileStart,
-                              __global int *tileColours, __global const uint *status, __local int *counts) {
-    const int tile = (int)get_group_id(0);
-    const int item = (int)get_local_id(0);
-    const int items = (int)get_local_size(0);
-    const int first = tileStart[C2D_PARTS * tile];
-    const int end = status[C2D_STALLED] != 0u ? first : tileStart[C2D_PARTS * (tile + 1)];
+// A tile's contacts by colour, to `pairs` and to the second part of `batch`, by work-items 0 to `items` - 1 of those that do
+// this tile; others of the group may do other tiles, or none where `tile` is negative. `counts`: of so many colours, then how
+// many contacts are in order, then the lowest colour that comes later. `again`: whether any tile of the group has such.
+#define C2D_COUNTS (C2D_COLOURS + 2)
+static void c2d_batch_order_tile(int tile, int item, int items, __global const int *other, __global const int *byTile,
+                                 __global const ushort *tint, int capacity, __global int *batch, __global int2 *pairs,
+                                 __global const int *tileStart, __global int *tileColours, __local int *counts,
+                                 __local int *again) {
+    const int first = tile < 0 ? 0 : tileStart[C2D_PARTS * tile];
+    const int end = tile < 0 ? 0 : tileStart[C2D_PARTS * (tile + 1)];
     __global int *colourStart = batch + 2 * capacity + first;
     __local int *sorted = counts + C2D_COLOURS;
     __local int *later = sorted + 1;
     int done = first;
     int lowest = 0;
     int colours = 0;
-    while (done < end) {
+    bool more = true;
+    while (more) {
         for (int c = item; c < C2D_COLOURS; c += items) {
             counts[c] = 0;
         }
         if (item == 0) {
             *later = C2D_COLOUR_MOST;
+        }
+        if (get_local_id(0) == 0) {
+            *again = 0;
         }
         barrier(CLK_LOCAL_MEM_FENCE);
         for (int e = first + item; e < end; e += items) {
@@ -204,6 +223,9 @@ __kernel void c2d_batch_order(__global const int *other, __global const int *byT
                 start += own;
             }
             *sorted = start;
+            if (start < end) {
+                atomic_xchg(again, 1);
+            }
         }
         barrier(CLK_LOCAL_MEM_FENCE);
         for (int e = first + item; e < end; e += items) {
@@ -216,10 +238,21 @@ __kernel void c2d_batch_order(__global const int *other, __global const int *byT
             }
         }
         done = *sorted;
-        lowest = *later;
+        lowest = done < end ? *later : C2D_COLOUR_MOST + 1;
+        more = *again != 0;
         barrier(CLK_LOCAL_MEM_FENCE);
     }
-    if (item == 0) {
+    if (item == 0 && tile >= 0) {
         tileColours[tile] = colours;
+    }
+}
+
+// One work-group a tile.
+__kernel void c2d_batch_order(__global const int *other, __global const int *byTile, __global const ushort *tint,
+                              int capacity, __global int *batch, __global int2 *pairs, __global const int *tileStart,
+                              __global int *tileColours, __global const uint *status, __local int *counts) {
+    if (status[C2D_STALLED] == 0u) {
+        c2d_batch_order_tile((int)get_group_id(0), (int)get_local_id(0), (int)get_local_size(0), other, byTile, tint,
+                             capacity, batch, pairs, tileStart, tileColours, counts, counts + C2D_COUNTS);
     }
 }

@@ -123,12 +123,11 @@ static int c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, flo
 
 __kernel void c2d_find_count(C2D_FIND, __global const int *bucketStart, float horizon, float fall) {
     const int i = (int)get_global_id(0);
-    if (i >= circles || status[C2D_STALLED] != 0u) {
-        return;
+    if (i < circles && status[C2D_STALLED] == 0u) {
+        const int count = c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found,
+                                          bucketStart, horizon, fall, false);
+        atomic_add(&listStart[i + 1], count);
     }
-    const int count = c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found,
-                                      bucketStart, horizon, fall, false);
-    atomic_add(&listStart[i + 1], count);
 }
 
 __kernel void c2d_find_fill(C2D_FIND, __global const int *bucketStart, float horizon, float fall) {

@@ -1,13 +1,9 @@
 // Sorts the circles by bucket of their cell, and by number within each: a counting sort, then ranks. One work-item a circle.
 // Reads what the detection before wrote and leaves it as it is, so that a detection can be done again. Twin of host.Grid.
 
-// The first launch of a detection: empties what is counted into. One work-item a cell or tile, and one more.
-__kernel void c2d_grid_clear(__global int *bucketStart, __global int *tileStart, __global uint *status, int cells,
-                             int tiles) {
-    const int k = (int)get_global_id(0);
-    if (status[C2D_STALLED] != 0u) {
-        return;
-    }
+// Empties what is counted into: cell or tile k, of as many and one more.
+static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *tileStart, __global uint *status, int cells,
+                              int tiles) {
     if (k <= cells) {
         bucketStart[k] = 0;
     }
@@ -20,14 +16,18 @@ __kernel void c2d_grid_clear(__global int *bucketStart, __global int *tileStart,
     }
 }
 
+// The first launch of a detection.
+__kernel void c2d_grid_clear(__global int *bucketStart, __global int *tileStart, __global uint *status, int cells,
+                             int tiles) {
+    if (status[C2D_STALLED] == 0u) {
+        c2d_grid_clear_at((int)get_global_id(0), bucketStart, tileStart, status, cells, tiles);
+    }
+}
+
 // Counts the circles of each bucket, one place up, so that the sums of the counts are where buckets begin. `before`: in the
 // order of the last detection. `bucket`: that of each circle, and then the turn of each in its bucket.
-__kernel void c2d_grid_bin(__global const float8 *bodyBefore, __global const int8 *levels, __global const float *rule,
-                           __global const uint *status, int circles, __global int *bucket, __global int *bucketStart) {
-    const int i = (int)get_global_id(0);
-    if (i >= circles || status[C2D_STALLED] != 0u) {
-        return;
-    }
+static void c2d_grid_bin_at(int i, __global const float8 *bodyBefore, __global const int8 *levels,
+                            __global const float *rule, int circles, __global int *bucket, __global int *bucketStart) {
     const int4 cell = c2d_cell(bodyBefore[i], levels, rule);
     const int8 level = levels[1 + cell.z];
     const int own = c2d_bucket(level, cell.x >> level.C2D_SHIFT, cell.y >> level.C2D_SHIFT);
@@ -35,24 +35,33 @@ __kernel void c2d_grid_bin(__global const float8 *bodyBefore, __global const int
     bucket[circles + i] = atomic_inc(&bucketStart[own + 1]);
 }
 
+__kernel void c2d_grid_bin(__global const float8 *bodyBefore, __global const int8 *levels, __global const float *rule,
+                           __global const uint *status, int circles, __global int *bucket, __global int *bucketStart) {
+    const int i = (int)get_global_id(0);
+    if (i < circles && status[C2D_STALLED] == 0u) {
+        c2d_grid_bin_at(i, bodyBefore, levels, rule, circles, bucket, bucketStart);
+    }
+}
+
+static void c2d_grid_scatter_at(int i, __global const int *bucket, __global const int *bucketStart, int circles,
+                                __global int *unsorted) {
+    unsorted[bucketStart[bucket[i]] + bucket[circles + i]] = i;
+}
+
 __kernel void c2d_grid_scatter(__global const int *bucket, __global const int *bucketStart, __global const uint *status,
                                int circles, __global int *unsorted) {
     const int i = (int)get_global_id(0);
     if (i < circles && status[C2D_STALLED] == 0u) {
-        unsorted[bucketStart[bucket[i]] + bucket[circles + i]] = i;
+        c2d_grid_scatter_at(i, bucket, bucketStart, circles, unsorted);
     }
 }
 
 // Also empties the lists; turns are no longer needed, so that they can count how far a list is filled. `from`: the place at
 // the detection before.
-__kernel void c2d_grid_order(__global const int *unsorted, __global int *bucket, __global const int *bucketStart,
-                             __global const float8 *bodyBefore, __global const int *idBefore,
-                             __global const uint *status, int circles, __global float8 *body, __global int *id,
-                             __global int *from, __global int *listStart) {
-    const int p = (int)get_global_id(0);
-    if (p >= circles || status[C2D_STALLED] != 0u) {
-        return;
-    }
+static void c2d_grid_order_at(int p, __global const int *unsorted, __global int *bucket,
+                              __global const int *bucketStart, __global const float8 *bodyBefore,
+                              __global const int *idBefore, int circles, __global float8 *body, __global int *id,
+                              __global int *from, __global int *listStart) {
     const int i = unsorted[p];
     const int own = idBefore[i];
     const int start = bucketStart[bucket[i]];
@@ -68,5 +77,15 @@ __kernel void c2d_grid_order(__global const int *unsorted, __global int *bucket,
     listStart[p + 1] = 0;
     if (p == 0) {
         listStart[0] = 0;
+    }
+}
+
+__kernel void c2d_grid_order(__global const int *unsorted, __global int *bucket, __global const int *bucketStart,
+                             __global const float8 *bodyBefore, __global const int *idBefore,
+                             __global const uint *status, int circles, __global float8 *body, __global int *id,
+                             __global int *from, __global int *listStart) {
+    const int p = (int)get_global_id(0);
+    if (p < circles && status[C2D_STALLED] == 0u) {
+        c2d_grid_order_at(p, unsorted, bucket, bucketStart, bodyBefore, idBefore, circles, body, id, from, listStart);
     }
 }

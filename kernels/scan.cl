@@ -24,16 +24,12 @@ static void c2d_scan_check(int contacts, int capacity, __global uint *status) {
 
 __kernel void c2d_scan_sums(__global int *partSums, int parts, __global uint *status, int capacity,
                             __local int *sums) {
-    c2d_scan_group(partSums, parts, sums);
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_scan_check(partSums[parts - 1], capacity, status);
+    c2d_scan_check(c2d_scan_group(partSums, parts, 0, sums), capacity, status);
 }
 
 __kernel void c2d_scan_few(__global int *values, int all, __global uint *status, int capacity, __local int *sums) {
     const int count = status[C2D_STALLED] != 0u ? 0 : all;
-    c2d_scan_group(values, count, sums);
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_scan_check(values[all - 1], capacity, status);
+    c2d_scan_check(c2d_scan_group(values, count, 0, sums), capacity, status);
 }
 
 __kernel void c2d_scan_add(__global int *values, int count, __global const int *partSums,

@@ -22,6 +22,8 @@ final class Kernel implements AutoCloseable {
     /** How many arguments {@link #arguments} set. */
     private int set;
 
+    private Pointer vectorPointer;
+
     Kernel(Session session, Program program, String name) {
         this.session = session;
         this.name = name;
@@ -52,6 +54,14 @@ final class Kernel implements AutoCloseable {
     /** Sets the arguments that come after those of {@link #arguments}. */
     void more(float first, float second) {
         set(set, first, second);
+    }
+
+    /** Sets the one argument that comes after those of {@link #arguments}, a vector; always of the same array. */
+    void more(int[] vector) {
+        if (vectorPointer == null) {
+            vectorPointer = Pointer.to(vector);
+        }
+        set(set, (long) Sizeof.cl_int * vector.length, vectorPointer);
     }
 
     /** Work-items of a group. */

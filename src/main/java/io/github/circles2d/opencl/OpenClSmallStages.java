@@ -15,6 +15,9 @@ import java.nio.FloatBuffer;
 
 /** The stages of one world of small steps on an OpenCL device. Calls queue up, in order. */
 final class OpenClSmallStages implements SmallStages {
+    /** What the kernels can tell apart. */
+    private static final int LAUNCHES = (1 << 20) - 1;
+
     private final WorldConfig config;
     private final Session session;
     private final State state;
@@ -37,6 +40,8 @@ final class OpenClSmallStages implements SmallStages {
     private long queued;
 
     private long done;
+    /** Number of the last persistent launch. */
+    private int launches;
     /** Circles that have a place. */
     private int placed;
 
@@ -71,7 +76,7 @@ final class OpenClSmallStages implements SmallStages {
         program = SmallKernels.program(session, config, wanted);
         // kernels of the old program go with the session; a world crosses this line once
         for (int k = 0; k < kernels.length; k++) {
-            kernels[k] = new SmallKernels(session, program, tables);
+            kernels[k] = new SmallKernels(session, program, tables, SmallKernels.persists(session.device, config));
         }
         load = new Kernel(session, program, "c2d_load");
         rescale = new Kernel(session, program, "c2d_rescale");
@@ -155,6 +160,27 @@ final class OpenClSmallStages implements SmallStages {
         Turn before = buffers.turns[1 - index];
         kernels[index].bind(
                 new SmallWorld(config, state, buffers, now, before, levels, tiles, group, tileGroup, oneGroup));
+    }
+
+    /** The same in one launch, where that is faster. */
+    @Override
+    public void advance(boolean moves, float horizon, float fall, int count, boolean last) {
+        int index = (int) (queued & 1);
+        SmallKernels now = kernels[index];
+        if (now.persistent == null || state.circles > Tuning.PERSISTENT_CIRCLES) {
+            SmallStages.super.advance(moves, horizon, fall, count, last);
+            return;
+        }
+        if (!now.bound) {
+            bind(index);
+        }
+        launches = launches + 1 & LAUNCHES;
+        now.persistent.run(launches, moves, horizon, fall, count, last);
+        queued++;
+        if (last) {
+            state.changes();
+            session.flush();
+        }
     }
 
     @Override

@@ -11,7 +11,8 @@ import org.jocl.cl_program;
 
 /** A program made from kernel files: owns its {@code cl_program}. */
 final class Program implements AutoCloseable {
-    private static final String OPTIONS = "-cl-std=CL1.2";
+    private static final String STANDARD = "-cl-std=CL1.2";
+    private static final String STANDARD_WITH_ATOMICS = "-cl-std=CL3.0";
     private static final String ROUNDED = " -cl-fp32-correctly-rounded-divide-sqrt";
 
     private final Session session;
@@ -42,7 +43,7 @@ final class Program implements AutoCloseable {
         Cl.check("clCreateProgramWithSource", status[0]);
         Program program = new Program(session, created);
         try {
-            program.build();
+            program.build(defines.getOrDefault("C2D_PERSISTENT", 0) == DeviceFence.OPENCL.define());
         } catch (RuntimeException e) {
             program.close();
             throw e;
@@ -55,10 +56,11 @@ final class Program implements AutoCloseable {
         return Map.entry(name, KernelSources.read(name));
     }
 
-    private void build() {
+    private void build(boolean atomics) {
         OpenClDevice device = session.device;
-        String options =
-                OPTIONS + (device.correctlyRounded ? ROUNDED : "") + System.getProperty("circles2d.buildOptions", "");
+        String options = (atomics ? STANDARD_WITH_ATOMICS : STANDARD)
+                + (device.correctlyRounded ? ROUNDED : "")
+                + System.getProperty("circles2d.buildOptions", "");
         int status = session.api.buildProgram(program, device.id, options);
         SignalCanary.handBack();
         if (status == CL.CL_BUILD_PROGRAM_FAILURE) {

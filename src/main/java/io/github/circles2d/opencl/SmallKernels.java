@@ -14,17 +14,27 @@ final class SmallKernels {
     final Batch batch;
     final Integrate integrate;
     final Solve solve;
+    /** Null where the device cannot. */
+    final Persistent persistent;
 
     /** Whether the arguments are those of the buffers as they are now. */
     boolean bound;
 
-    SmallKernels(Session session, Program program, PairTables tables) {
+    SmallKernels(Session session, Program program, PairTables tables, boolean persists) {
         grid = new Grid(session, program);
         find = new Find(session, program, tables);
         match = new Match(session, program);
         batch = new Batch(session, program);
         integrate = new Integrate(session, program);
         solve = new Solve(session, program);
+        persistent = persists ? new Persistent(session, program) : null;
+    }
+
+    /** Whether a world may use {@link Persistent}. */
+    static boolean persists(OpenClDevice device, WorldConfig config) {
+        boolean suits = device.isGpu() && device.fence != DeviceFence.NONE;
+        return !config.strategy().pairwise()
+                && (config.smallWorld() == WorldConfig.PERSISTENT || suits && config.smallWorld() > 0);
     }
 
     /** Compiles the kernels for pair indices of 32 or 64 bits. */
@@ -48,13 +58,19 @@ final class SmallKernels {
                 "integrate",
                 "visit",
                 "solve",
+                "persistent",
                 "stats",
                 "stats_lists")) {
             sources.add(Program.file(file + ".cl"));
         }
         return Program.build(
                 session,
-                Map.of("C2D_WIDE", wide ? 1 : 0, "C2D_PAIRWISE", pairwise ? 1 : 0, "C2D_SCAN", Tuning.SCAN),
+                Map.of(
+                        "C2D_WIDE", wide ? 1 : 0,
+                        "C2D_PAIRWISE", pairwise ? 1 : 0,
+                        "C2D_PERSISTENT", persists(session.device, config) ? session.device.fence.define() : 0,
+                        "C2D_SCAN", Tuning.SCAN,
+                        "C2D_TEAM", Tuning.GPU_TILE_GROUP),
                 sources);
     }
 
@@ -65,6 +81,9 @@ final class SmallKernels {
         batch.bind(world);
         integrate.bind(world);
         solve.bind(world);
+        if (persistent != null) {
+            persistent.bind(world);
+        }
         bound = true;
     }
 }

@@ -35,6 +35,16 @@ record SmallWorld(
         return config.smallWorld() > 0 && circles() <= Tuning.FEW_CIRCLES;
     }
 
+    /** Groups that wait for each other: one on each unit, so that they can all run at once, or one alone. */
+    int persistentGroups() {
+        OpenClDevice device = state.device();
+        return device.fence == DeviceFence.NONE ? 1 : Math.min(device.computeUnits, Tuning.PERSISTENT_MOST_GROUPS);
+    }
+
+    int persistentGroup() {
+        return config.workGroup() > 0 ? config.workGroup() : Tuning.PERSISTENT_WORK_GROUP;
+    }
+
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */
     long contacts() {
         return Math.max(1, 2L * state.circles);

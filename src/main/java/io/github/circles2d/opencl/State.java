@@ -100,6 +100,10 @@ final class State {
         return done.set(Integer.toUnsignedLong(copy.getInt(0)), copy.getInt(4) != 0, updates);
     }
 
+    OpenClDevice device() {
+        return session.device;
+    }
+
     /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */
     float fastest() {
         return copy.getFloat(12);
