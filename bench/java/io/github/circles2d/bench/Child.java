@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 
@@ -29,16 +30,22 @@ final class Child {
      * @return what it gave to {@link #result}; or one text that says why there is nothing
      */
     static List<String> run(Class<?> main, int seconds, Object... args) throws IOException {
+        return run(Map.of(), main, seconds, args);
+    }
+
+    /** The same with these variables in its environment beside those of this JVM. */
+    static List<String> run(Map<String, String> environment, Class<?> main, int seconds, Object... args)
+            throws IOException {
         Path log = Files.createTempFile("child", ".log");
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(ManagementFactory.getRuntimeMXBean().getInputArguments());
         command.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
         Arrays.stream(args).map(String::valueOf).forEach(command::add);
-        Process process = new ProcessBuilder(command)
-                .redirectErrorStream(true)
-                .redirectOutput(log.toFile())
-                .start();
+        ProcessBuilder builder =
+                new ProcessBuilder(command).redirectErrorStream(true).redirectOutput(log.toFile());
+        builder.environment().putAll(environment);
+        Process process = builder.start();
         Thread ender = new Thread(process::destroyForcibly);
         Runtime.getRuntime().addShutdownHook(ender);
         try {

@@ -5,6 +5,7 @@ import io.github.circles2d.Circles2D;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.Snapshot;
 import io.github.circles2d.demo.Scene;
+import java.io.Serializable;
 
 /**
  * The circles of the scene {@code pile} at rest, as numbers, so that other engines and other places can have the same.
@@ -12,7 +13,7 @@ import io.github.circles2d.demo.Scene;
  * @param x centres, world units, in the unit square
  * @param radius world units
  */
-record Layout(float[] x, float[] y, float[] radius, float[] mass) {
+record Layout(float[] x, float[] y, float[] radius, float[] mass) implements Serializable {
     static final Scene SCENE = Scene.PILE;
 
     /** As the scene has them: all over the box, about to fall. */

@@ -35,6 +35,7 @@ public final class Main {
             case "ThesisFigure3" -> ThesisFigure3.main(rest);
             case "Peers" -> Peers.main(rest);
             case "Scaling" -> Scaling.main(rest);
+            case "Start" -> Start.main(rest);
             case "Frame" -> Frame.main(rest);
             case "Auto" -> Auto.main(rest);
             case "Hashes" -> Hashes.main(rest);
