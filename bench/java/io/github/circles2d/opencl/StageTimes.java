@@ -14,29 +14,20 @@ import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Stepper;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
-import java.lang.reflect.Proxy;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
-import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.LongSummaryStatistics;
 import java.util.Map;
-import org.jocl.CL;
-import org.jocl.Pointer;
-import org.jocl.Sizeof;
-import org.jocl.cl_command_queue;
-import org.jocl.cl_context;
-import org.jocl.cl_device_id;
-import org.jocl.cl_event;
-import org.jocl.cl_kernel;
 
 /**
  * How long each kernel of a step takes on the device, by the device's own clock, for a scene after some steps. Scene {@code
  * packed} is the circles of {@code pile} laid out as they lie in a pile. With more than 60 steps a second, those before are of 1/60 s
  * and have substeps of the same time, so that few substeps a step can be timed on a pile that more of them hold up.
+ *
+ * <p>Of small steps also how many bytes a launch reads and writes at least ({@link StageBytes}), and how fast that is, beside a copy from
+ * the device's memory to its memory ({@link CopySpeed}).
  *
  * <pre>{@code
  * java -cp target/benchmarks.jar io.github.circles2d.opencl.StageTimes \
@@ -46,58 +37,15 @@ import org.jocl.cl_kernel;
 public final class StageTimes {
     private static final int STEPS = 20;
 
-    private record Launch(String kernel, cl_event event) {}
-
-    private static final Map<cl_kernel, String> NAMES = new HashMap<>();
-    private static final List<Launch> LAUNCHES = new ArrayList<>();
-
     private StageTimes() {}
-
-    @SuppressWarnings("deprecation")
-    private static ClApi profiling(ClApi api) {
-        return (ClApi) Proxy.newProxyInstance(
-                ClApi.class.getClassLoader(), new Class<?>[] {ClApi.class}, (proxy, method, args) -> {
-                    if (method.getName().equals("createCommandQueue")) {
-                        return CL.clCreateCommandQueue(
-                                (cl_context) args[0], (cl_device_id) args[1], CL.CL_QUEUE_PROFILING_ENABLE, (int[])
-                                        args[2]);
-                    }
-                    if (method.getName().equals("enqueueNDRangeKernel")) {
-                        cl_event event = new cl_event();
-                        LAUNCHES.add(new Launch(NAMES.get(args[1]), event));
-                        return CL.clEnqueueNDRangeKernel(
-                                (cl_command_queue) args[0],
-                                (cl_kernel) args[1],
-                                1,
-                                (long[]) args[2],
-                                (long[]) args[3],
-                                (long[]) args[4],
-                                0,
-                                null,
-                                event);
-                    }
-                    Object result = method.invoke(api, args);
-                    if (method.getName().equals("createKernel")) {
-                        NAMES.put((cl_kernel) result, (String) args[1]);
-                    }
-                    return result;
-                });
-    }
-
-    private static long time(cl_event event, int what) {
-        long[] value = new long[1];
-        Cl.check(
-                "clGetEventProfilingInfo",
-                CL.clGetEventProfilingInfo(event, what, Sizeof.cl_ulong, Pointer.to(value), null));
-        return value[0];
-    }
 
     /** Takes the arguments of the class comment. */
     public static void main(String[] args) {
+        Launches launches = new Launches();
         String wanted = ComputeDevice.find(args[0]).orElseThrow().name();
         int circles = Integer.parseInt(args[2]);
         int before = Integer.parseInt(args[3]);
-        OpenClDevice device = OpenClDevices.list(profiling(JoclApi.load())).stream()
+        OpenClDevice device = OpenClDevices.list(launches.watch(JoclApi.load())).stream()
                 .filter(d -> d.name().equals(wanted))
                 .findFirst()
                 .orElseThrow();
@@ -127,7 +75,7 @@ public final class StageTimes {
             for (int step = 0; step < before; step++) {
                 stepper.step();
                 stepper.await();
-                take(null);
+                launches.take(null);
             }
             if (perSecond != 60) {
                 stages.download(circle, velocities);
@@ -140,14 +88,15 @@ public final class StageTimes {
             for (int step = 0; step < STEPS; step++) {
                 stepper.step();
                 stepper.await();
-                span += take(times);
+                span += launches.take(times);
             }
             double wall = (System.nanoTime() - start) / 1e3 / STEPS;
             StepSums sums = stages.sums();
             System.out.printf(
                     "%n%s, %s, %d circles, after %d steps, %s, %s substeps, %s, %s%n"
                             + "contacts listed %d, touching %d, mean overlap %.4f, max %.3f, fastest %.3g%n"
-                            + "| kernel | launches a step | us a step | us a launch |%n| --- | ---: | ---: | ---: |%n",
+                            + "| kernel | launches a step | us a step | us a launch | MB a launch | TB/s | of a copy |%n"
+                            + "| --- | ---: | ---: | ---: | ---: | ---: | ---: |%n",
                     device.name(),
                     args[1],
                     circles,
@@ -161,39 +110,49 @@ public final class StageTimes {
                     sums.meanOverlap(),
                     sums.largestOverlap(),
                     sums.fastest());
+            stages.download(circle, velocities);
+            double detections = count(times, "c2d_batch_order");
+            StageBytes bytes = new StageBytes(
+                    config,
+                    circle,
+                    circles,
+                    stepper.contacts(),
+                    detections > 0 ? count(times, "c2d_batch_colour") / detections : 0);
+            CopySpeed copy = CopySpeed.measure(device, launches.context(), launches.queue());
             double busy = 0;
-            double launches = 0;
+            double all = 0;
             for (var entry : times.entrySet()) {
                 LongSummaryStatistics t = entry.getValue();
                 busy += t.getSum() / 1e3 / STEPS;
-                launches += (double) t.getCount() / STEPS;
+                all += (double) t.getCount() / STEPS;
                 System.out.printf(
-                        "| %s | %.1f | %.1f | %.2f |%n",
-                        entry.getKey(), (double) t.getCount() / STEPS, t.getSum() / 1e3 / STEPS, t.getAverage() / 1e3);
+                        "| %s | %.1f | %.1f | %.2f | %s |%n",
+                        entry.getKey(),
+                        (double) t.getCount() / STEPS,
+                        t.getSum() / 1e3 / STEPS,
+                        t.getAverage() / 1e3,
+                        speed(small ? bytes.of(entry.getKey()) : 0, t.getAverage(), copy));
             }
             System.out.printf(
-                    "| all | %.0f | %.1f | |%n| from first to last | | %.1f | |%n| wall clock, with events | | %.1f | |%n",
-                    launches, busy, span / 1e3 / STEPS, wall);
+                    "| all | %.0f | %.1f | | | | |%n| from first to last | | %.1f | | | | |%n"
+                            + "| wall clock, with events | | %.1f | | | | |%n%n"
+                            + "copy of %d MiB: %.3g TB/s%n",
+                    all, busy, span / 1e3 / STEPS, wall, copy.bytes() >> 20, copy.bytesPerSecond() / 1e12);
         }
     }
 
-    /** Books the launches since the last call and forgets them; the time from the start of the first to the end of the last. */
-    private static long take(Map<String, LongSummaryStatistics> times) {
-        long first = Long.MAX_VALUE;
-        long last = 0;
-        for (Launch launch : LAUNCHES) {
-            if (times != null) {
-                long start = time(launch.event, CL.CL_PROFILING_COMMAND_START);
-                long end = time(launch.event, CL.CL_PROFILING_COMMAND_END);
-                first = Math.min(first, start);
-                last = Math.max(last, end);
-                times.computeIfAbsent(launch.kernel, k -> new LongSummaryStatistics())
-                        .accept(end - start);
-            }
-            CL.clReleaseEvent(launch.event);
-        }
-        LAUNCHES.clear();
-        return last - Math.min(first, last);
+    private static double count(Map<String, LongSummaryStatistics> times, String kernel) {
+        return times.containsKey(kernel) ? times.get(kernel).getCount() : 0;
+    }
+
+    /** The last three columns of a kernel; none without bytes. */
+    private static String speed(double bytes, double nanoseconds, CopySpeed copy) {
+        double perSecond = bytes / nanoseconds * 1e9;
+        return bytes == 0
+                ? "| |"
+                : String.format(
+                        "%.3g | %.3g | %.0f %%",
+                        bytes / 1e6, perSecond / 1e12, 100 * perSecond / copy.bytesPerSecond());
     }
 
     private static WorldConfig config(String[] args, Scene scene, int perSecond, int substeps) {
