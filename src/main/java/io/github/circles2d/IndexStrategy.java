@@ -104,7 +104,7 @@ public interface IndexStrategy {
         return IndexStrategies.ROW_SEARCH;
     }
 
-    /** The triangle folded into a rectangle: one integer division, no table, no root. The default. */
+    /** The triangle folded into a rectangle: one integer division, no table, no root. */
     static IndexStrategy folded() {
         return IndexStrategies.FOLDED;
     }
@@ -144,15 +144,17 @@ public interface IndexStrategy {
     }
 
     /**
-     * The built-in strategy of a name.
+     * The built-in strategy of a name, or {@link #auto()}.
      *
      * @throws IllegalArgumentException if there is none; the message lists them
      */
     static IndexStrategy named(String name) {
-        return Stream.concat(builtIn().stream(), Stream.of(auto()))
+        List<IndexStrategy> known =
+                Stream.concat(builtIn().stream(), Stream.of(auto())).toList();
+        return known.stream()
                 .filter(strategy -> strategy.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("strategy = " + name + ": must be one of "
-                        + builtIn().stream().map(IndexStrategy::name).toList()));
+                        + known.stream().map(IndexStrategy::name).toList()));
     }
 }

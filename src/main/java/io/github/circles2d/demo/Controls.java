@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JButton;
@@ -52,7 +53,12 @@ final class Controls extends JPanel {
                 List.of(Solver.values()),
                 first.solver(),
                 solver -> solver.name().toLowerCase(Locale.ROOT));
-        strategies = choice("strategy", IndexStrategy.builtIn(), first.strategy(), IndexStrategy::name);
+        strategies = choice(
+                "strategy",
+                Stream.concat(IndexStrategy.builtIn().stream(), Stream.of(IndexStrategy.auto()))
+                        .toList(),
+                first.strategy(),
+                IndexStrategy::name);
         devices = choice("device", ComputeDevice.list(), first.device(), Controls::shortName);
         step.setEnabled(false);
         pause.addActionListener(event -> pause(pause.isSelected()));

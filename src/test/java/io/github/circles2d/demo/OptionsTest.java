@@ -3,6 +3,7 @@ package io.github.circles2d.demo;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -61,6 +62,11 @@ class OptionsTest {
     }
 
     @Test
+    void theStrategyMayBeLeftToTheWorld() {
+        assertSame(IndexStrategy.auto(), Options.parse("--strategy", "auto").strategy());
+    }
+
+    @Test
     void aScreenshotEndsTheWindow() {
         Options options = Options.parse("--screenshot", "a/b.PNG");
         assertEquals(1200, options.windowSteps());
@@ -89,7 +95,7 @@ class OptionsTest {
                 "--steps -1 | --steps = -1: must be a whole number from 1 to 10000000",
                 "--steps 99999999999 | --steps = 99999999999: must be a whole number",
                 "--scene moon | scene = moon: must be one of [thesis, gas, pile, mixed, pebbles, column, loaded, bullets, dam]",
-                "--strategy tree | strategy = tree: must be one of [formula, pair_table, row_search, grid, folded]",
+                "--strategy tree | strategy = tree: must be one of [formula, pair_table, row_search, grid, folded, auto]",
                 "--store heap | store = heap: must be one of [compact, triangle]",
                 "--screenshot a.gif | --screenshot = a.gif: must end in .png",
             })
