@@ -6,6 +6,7 @@ import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.Snapshot;
 import io.github.circles2d.demo.Scene;
 import java.io.Serializable;
+import java.util.SplittableRandom;
 
 /**
  * The circles of the scene {@code pile} at rest, as numbers, so that other engines and other places can have the same.
@@ -13,15 +14,16 @@ import java.io.Serializable;
  * @param x centres, world units, in the unit square
  * @param radius world units
  */
-record Layout(float[] x, float[] y, float[] radius, float[] mass) implements Serializable {
-    static final Scene SCENE = Scene.PILE;
+public record Layout(float[] x, float[] y, float[] radius, float[] mass) implements Serializable {
+    /** Whose rules and circles these are. */
+    public static final Scene SCENE = Scene.PILE;
 
     /** As the scene has them: all over the box, about to fall. */
     static Layout start(int circles) {
         // plain Java: nothing is stepped, so nothing need reach a device
         try (Circles2D world = SCENE.build(Circles2D.builder().device(ComputeDevice.host()), circles)) {
             Snapshot now = world.snapshot();
-            Layout layout = new Layout(new float[circles], new float[circles], new float[circles], new float[circles]);
+            Layout layout = empty(circles);
             for (int i = 0; i < circles; i++) {
                 layout.x[i] = now.x(i);
                 layout.y[i] = now.y(i);
@@ -30,6 +32,37 @@ record Layout(float[] x, float[] y, float[] radius, float[] mass) implements Ser
             }
             return layout;
         }
+    }
+
+    private static Layout empty(int circles) {
+        return new Layout(new float[circles], new float[circles], new float[circles], new float[circles]);
+    }
+
+    /**
+     * Circles of the same sizes, row by row, apart from each other and at rest: about as dense as a pile, but not yet one, and with
+     * little more than half of its contacts.
+     */
+    public static Layout rows(int circles) {
+        Layout layout = empty(circles);
+        SplittableRandom random = new SplittableRandom(2014);
+        float largest = (float) Math.sqrt(0.35 / (Math.PI * Math.max(1, circles)));
+        // a circle takes the mean of the radii to each side: rows are as dense as these circles can lie in rows
+        float rise = 2 * largest * 0.9f;
+        float left = 0;
+        float up = largest;
+        for (int i = 0; i < circles; i++) {
+            float radius = largest * (0.66f + 0.34f * (float) random.nextDouble());
+            if (left + 2 * radius > 1) {
+                left = 0;
+                up += rise;
+            }
+            layout.x[i] = left + radius;
+            layout.y[i] = up;
+            layout.radius[i] = radius;
+            layout.mass[i] = 1 + 9 * (float) random.nextDouble();
+            left += 2 * radius;
+        }
+        return layout;
     }
 
     /**
@@ -56,7 +89,7 @@ record Layout(float[] x, float[] y, float[] radius, float[] mass) implements Ser
     }
 
     /** A world with these circles and the rules of the scene. */
-    Circles2D world(Circles2D.Builder builder) {
+    public Circles2D world(Circles2D.Builder builder) {
         Circles2D world = SCENE.empty(builder, count());
         try {
             CircleDef def = new CircleDef();

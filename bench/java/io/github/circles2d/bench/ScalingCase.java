@@ -5,7 +5,7 @@ import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Solver;
 import io.github.circles2d.StepStats;
-import java.util.Arrays;
+import org.openjdk.jmh.util.ListStatistics;
 
 /** One figure of {@link Scaling}, in a JVM of its own. */
 final class ScalingCase {
@@ -35,7 +35,7 @@ final class ScalingCase {
     private void run(int circles) {
         warmUp(layout(Math.min(circles, WARM_CIRCLES)));
         Layout layout = layout(circles);
-        double[] ms = new double[ROUNDS];
+        ListStatistics ms = new ListStatistics();
         int rounds = 0;
         int before = 0;
         int timed = 0;
@@ -62,15 +62,14 @@ final class ScalingCase {
                     before = done;
                     timed = (int) Math.max(1, Math.min(STEPS, (end - System.nanoTime()) / 2e6 / step));
                 }
-                ms[rounds++] = time(world, timed);
+                ms.addValue(time(world, timed));
+                rounds++;
                 stats = world.stats();
                 bytes = world.deviceMemory();
             }
         }
-        double[] all = Arrays.copyOf(ms, rounds);
-        Arrays.sort(all);
         Child.result(
-                all[rounds / 2],
+                ms.getPercentile(50),
                 before,
                 timed,
                 rounds,

@@ -5,7 +5,7 @@ import io.github.circles2d.CollisionStore;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Solver;
-import io.github.circles2d.bench.Packed;
+import io.github.circles2d.bench.Layout;
 import io.github.circles2d.demo.Scene;
 import io.github.circles2d.pipeline.DeviceState;
 import io.github.circles2d.pipeline.Pipeline;
@@ -22,8 +22,7 @@ import java.util.LongSummaryStatistics;
 import java.util.Map;
 
 /**
- * How long each kernel of a step takes on the device, by the device's own clock, for a scene after some steps. Scene {@code
- * packed} is the circles of {@code pile} laid out as they lie in a pile. With more than 60 steps a second, those before are of 1/60 s
+ * How long each kernel of a step takes on the device, by the device's own clock, for a scene after some steps. Scene {@code rows} is {@link Layout#rows}. With more than 60 steps a second, those before are of 1/60 s
  * and have substeps of the same time, so that few substeps a step can be timed on a pile that more of them hold up.
  *
  * <p>Of small steps also how many bytes a launch reads and writes at least ({@link StageBytes}), and how fast that is, beside a copy from
@@ -49,7 +48,8 @@ public final class StageTimes {
                 .filter(d -> d.name().equals(wanted))
                 .findFirst()
                 .orElseThrow();
-        Scene scene = args[1].equals("packed") ? Packed.SCENE : Scene.named(args[1]);
+        boolean rows = args[1].equals("rows");
+        Scene scene = rows ? Layout.SCENE : Scene.named(args[1]);
         int substeps = Integer.parseInt(args[5]);
         int perSecond = args.length > 9 ? Integer.parseInt(args[9]) : 60;
         WorldConfig config = config(args, scene, perSecond, substeps);
@@ -58,7 +58,8 @@ public final class StageTimes {
         FloatBuffer circle = direct(4 * circles);
         FloatBuffer velocities = direct(2 * circles);
         float maxRadius = 0;
-        try (Circles2D world = scene.build(Circles2D.builder().device(ComputeDevice.host()), circles)) {
+        Circles2D.Builder host = Circles2D.builder().device(ComputeDevice.host());
+        try (Circles2D world = rows ? Layout.rows(circles).world(host) : scene.build(host, circles)) {
             var now = world.snapshot();
             for (int i = 0; i < circles; i++) {
                 circle.put(4 * i, now.x(i)).put(4 * i + 1, now.y(i)).put(4 * i + 2, now.radius(i));
