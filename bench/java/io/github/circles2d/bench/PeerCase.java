@@ -17,6 +17,9 @@ final class PeerCase {
     /** Steps of the falling phase: the first second. */
     static final int FALLING = 60;
 
+    /** Steps before which there is no pile to time. */
+    static final int PILE = 2 * FALLING;
+
     /** Steps that are timed at the end. */
     static final int PILED = 60;
 
@@ -63,7 +66,7 @@ final class PeerCase {
         int piled = Math.min(PILED, done / 5);
         Child.result(
                 mean(ms, 0, Math.min(FALLING, done)),
-                done >= 2 * FALLING ? mean(ms, done - piled, done) : "",
+                done >= PILE ? mean(ms, done - piled, done) : "",
                 done,
                 standing.contacts(),
                 standing.meanOverlap(),
