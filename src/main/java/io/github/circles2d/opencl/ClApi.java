@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import java.nio.ByteBuffer;
 import org.jocl.Pointer;
 import org.jocl.cl_command_queue;
 import org.jocl.cl_context;
@@ -51,6 +52,11 @@ public interface ClApi {
 
     /** Blocking. */
     int enqueueWriteBuffer(cl_command_queue queue, cl_mem buffer, long offset, long bytes, Pointer from);
+
+    /** A buffer from its beginning, as memory of the host. Blocking. */
+    ByteBuffer enqueueMapBuffer(cl_command_queue queue, cl_mem buffer, long flags, long bytes, int[] status);
+
+    int enqueueUnmapMemObject(cl_command_queue queue, cl_mem buffer, ByteBuffer mapped);
 
     int flush(cl_command_queue queue);
 

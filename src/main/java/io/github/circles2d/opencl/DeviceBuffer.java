@@ -111,10 +111,13 @@ final class DeviceBuffer implements AutoCloseable {
     /** Writes the first {@code count} bytes of a direct buffer. Waits. */
     void write(Buffer from, long count) {
         if (count > 0) {
-            Cl.check(
-                    "clEnqueueWriteBuffer",
-                    session.api.enqueueWriteBuffer(session.queue, memory, 0, count, Pointer.to(from)));
+            write(Pointer.to(from), count);
         }
+    }
+
+    /** As {@link #write(Buffer, long)}, from a pointer that the caller keeps: allocates nothing. */
+    void write(Pointer from, long count) {
+        Cl.check("clEnqueueWriteBuffer", session.api.enqueueWriteBuffer(session.queue, memory, 0, count, from));
     }
 
     /** Reads {@code count} bytes from {@code offset} on into a direct buffer. Waits. */

@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import java.nio.ByteBuffer;
 import org.jocl.CL;
 import org.jocl.CLException;
 import org.jocl.Pointer;
@@ -191,6 +192,24 @@ final class JoclApi implements ClApi {
     public int enqueueWriteBuffer(cl_command_queue queue, cl_mem buffer, long offset, long bytes, Pointer from) {
         try {
             return CL.clEnqueueWriteBuffer(queue, buffer, true, offset, bytes, from, 0, null, null);
+        } catch (CLException e) {
+            return e.getStatus();
+        }
+    }
+
+    @Override
+    public ByteBuffer enqueueMapBuffer(cl_command_queue queue, cl_mem buffer, long flags, long bytes, int[] status) {
+        try {
+            return CL.clEnqueueMapBuffer(queue, buffer, true, flags, 0, bytes, 0, null, null, status);
+        } catch (CLException e) {
+            return failed(e, status);
+        }
+    }
+
+    @Override
+    public int enqueueUnmapMemObject(cl_command_queue queue, cl_mem buffer, ByteBuffer mapped) {
+        try {
+            return CL.clEnqueueUnmapMemObject(queue, buffer, mapped, 0, null, null);
         } catch (CLException e) {
             return e.getStatus();
         }

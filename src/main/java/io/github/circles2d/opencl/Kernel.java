@@ -21,6 +21,10 @@ final class Kernel implements AutoCloseable {
     private long itemsPerLaunch;
     /** How many arguments {@link #arguments} set. */
     private int set;
+    /** Where an argument is that changes from launch to launch. */
+    private final float[] number = new float[1];
+
+    private final Pointer toNumber = Pointer.to(number);
 
     private Pointer vectorPointer;
 
@@ -51,9 +55,12 @@ final class Kernel implements AutoCloseable {
         return this;
     }
 
-    /** Sets the arguments that come after those of {@link #arguments}. */
+    /** Sets the arguments that come after those of {@link #arguments}. Allocates nothing. */
     void more(float first, float second) {
-        set(set, first, second);
+        number[0] = first;
+        set(set, Sizeof.cl_float, toNumber);
+        number[0] = second;
+        set(set + 1, Sizeof.cl_float, toNumber);
     }
 
     /** Sets the one argument that comes after those of {@link #arguments}, a vector; always of the same array. */
@@ -102,7 +109,10 @@ final class Kernel implements AutoCloseable {
     }
 
     private void set(int index, long size, Pointer value) {
-        Cl.check("clSetKernelArg(" + name + ", " + index + ")", session.api.setKernelArg(kernel, index, size, value));
+        int status = session.api.setKernelArg(kernel, index, size, value);
+        if (status != CL.CL_SUCCESS) {
+            Cl.check("clSetKernelArg(" + name + ", " + index + ")", status);
+        }
     }
 
     /**

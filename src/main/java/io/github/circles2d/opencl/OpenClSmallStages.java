@@ -12,6 +12,7 @@ import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
+import org.jocl.Pointer;
 
 /** The stages of one world of small steps on an OpenCL device. Calls queue up, in order. */
 final class OpenClSmallStages implements SmallStages {
@@ -25,6 +26,7 @@ final class OpenClSmallStages implements SmallStages {
     private final PairTables tables;
     private final SmallKernels[] kernels = new SmallKernels[2];
     private final FloatBuffer numbers;
+    private final Pointer toNumbers;
     private final int group;
     private final int tileGroup;
     private final int oneGroup;
@@ -55,6 +57,7 @@ final class OpenClSmallStages implements SmallStages {
         numbers = ByteBuffer.allocateDirect(4 * Substeps.NUMBERS)
                 .order(ByteOrder.nativeOrder())
                 .asFloatBuffer();
+        toNumbers = Pointer.to(numbers);
         session = new Session(device);
         try {
             state = new State(session);
@@ -132,7 +135,8 @@ final class OpenClSmallStages implements SmallStages {
             return;
         }
         substeps = now;
-        buffers.rule.write(numbers.put(0, now.numbers()), 4L * Substeps.NUMBERS);
+        numbers.put(0, now.numbers());
+        buffers.rule.write(toNumbers, 4L * Substeps.NUMBERS);
         if (now.rescales()) {
             Turn last = last();
             rescale.arguments(last.body, buffers.walls, last.memory, last.listStart, state.circles, buffers.rule)

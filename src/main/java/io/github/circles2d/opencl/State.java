@@ -3,9 +3,7 @@ package io.github.circles2d.opencl;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
-import org.jocl.Pointer;
 
 /**
  * The circles on the device and what it has done: the buffers {@code circle}, {@code velocities} and {@code status} of the
@@ -29,10 +27,11 @@ final class State {
     private long circleAt;
     private long velocitiesAt;
     private long bytes;
-    private ByteBuffer copy = direct(0);
-    private Pointer copyPointer;
-    /** The copy holds all of the device's state, not only its status. */
-    private boolean copyWhole;
+    private final Staging staging;
+    /** The staging memory holds all of the device's state. */
+    private boolean stagedWhole;
+
+    private float fastest;
 
     private final Status done = new Status();
     private int updatesSeen;
@@ -44,10 +43,7 @@ final class State {
         status = new DeviceBuffer(session, "status");
         circle = new DeviceBuffer(session, "circle");
         velocities = new DeviceBuffer(session, "velocities");
-    }
-
-    private static ByteBuffer direct(int bytes) {
-        return ByteBuffer.allocateDirect(bytes).order(ByteOrder.nativeOrder());
+        staging = new Staging(session);
     }
 
     private long aligned(long offset) {
@@ -62,11 +58,7 @@ final class State {
         status.become(whole, 0, STATUS_BYTES);
         circle.become(whole, circleAt, 16L * count);
         velocities.become(whole, velocitiesAt, 8L * count);
-        int copied = oneTransfer() ? (int) bytes : STATUS_BYTES;
-        if (copy.capacity() < copied) {
-            copy = direct(copied);
-            copyPointer = Pointer.to(copy);
-        }
+        staging.ensure((int) Math.min(bytes, Tuning.STAGING_BYTES));
     }
 
     private boolean oneTransfer() {
@@ -81,23 +73,25 @@ final class State {
         circle.write(newCircle, 16L * count);
         velocities.write(newVelocities, 8L * count);
         circles = count;
-        copyWhole = false;
+        stagedWhole = false;
     }
 
     /** What the device says of itself. Waits for all that is queued; a small world comes back whole. */
     Status await() {
-        copyWhole = oneTransfer();
-        whole.read(0, copyPointer, copyWhole ? bytes : STATUS_BYTES);
+        stagedWhole = oneTransfer();
+        whole.read(0, staging.pointer(), stagedWhole ? bytes : STATUS_BYTES);
         if (session.compiles) {
             session.compiles = false;
             SignalCanary.handBack();
         }
-        int updates = copy.getInt(8) - updatesSeen;
-        updatesSeen = copy.getInt(8);
-        if (copy.getInt(4) == TOO_DENSE) {
+        ByteBuffer said = staging.bytes();
+        int updates = said.getInt(8) - updatesSeen;
+        updatesSeen = said.getInt(8);
+        fastest = said.getFloat(12);
+        if (said.getInt(4) == TOO_DENSE) {
             throw Status.tooDense();
         }
-        return done.set(Integer.toUnsignedLong(copy.getInt(0)), copy.getInt(4) != 0, updates);
+        return done.set(Integer.toUnsignedLong(said.getInt(0)), said.getInt(4) != 0, updates);
     }
 
     OpenClDevice device() {
@@ -106,36 +100,41 @@ final class State {
 
     /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */
     float fastest() {
-        return copy.getFloat(12);
+        return fastest;
     }
 
     /** Says that kernels have been queued that change the circles. */
     void changes() {
-        copyWhole = false;
+        stagedWhole = false;
     }
 
     /** Reads the circles. Waits. */
     void download(FloatBuffer toCircle, FloatBuffer toVelocities) {
-        if (!copyWhole) {
-            circle.read(0, toCircle, 16L * circles);
-            velocities.read(0, toVelocities, 8L * circles);
+        if (stagedWhole) {
+            toCircle.put(0, staging.floats(), (int) circleAt / 4, 4 * circles);
+            toVelocities.put(0, staging.floats(), (int) velocitiesAt / 4, 2 * circles);
             return;
         }
-        for (int k = 0; k < 4 * circles; k++) {
-            toCircle.put(k, copy.getFloat((int) circleAt + 4 * k));
-        }
-        for (int k = 0; k < 2 * circles; k++) {
-            toVelocities.put(k, copy.getFloat((int) velocitiesAt + 4 * k));
+        read(circleAt, toCircle, 16L * circles);
+        read(velocitiesAt, toVelocities, 8L * circles);
+    }
+
+    /** Reads a part of the whole, as much at a time as the staging memory has room for. */
+    private void read(long from, FloatBuffer to, long count) {
+        for (long at = 0; at < count; at += staging.room()) {
+            long part = Math.min(count - at, staging.room());
+            whole.read(from + at, staging.pointer(), part);
+            to.put((int) (at / 4), staging.floats(), 0, (int) (part / 4));
         }
     }
 
     /** As if no step had been made since the upload; the circles stay. */
     void clearStatus() {
         for (int at = 0; at < STATUS_BYTES; at += 4) {
-            copy.putInt(at, 0);
+            staging.bytes().putInt(at, 0);
         }
         updatesSeen = 0;
-        copyWhole = false;
-        status.write(copy, STATUS_BYTES);
+        stagedWhole = false;
+        status.write(staging.pointer(), STATUS_BYTES);
     }
 }

@@ -68,8 +68,14 @@ public final class Tuning {
     /** Pairs of the triangle that share a mark, {@code C2D_BLOCK}. 64 to 4,096. */
     public static final int BLOCK = 64;
 
-    /** Largest state that is read back in one transfer and then copied, bytes. 0 to 2^24; copying costs 1 ms for 2^22. */
+    /** Largest state that is read whole when its step is waited for, bytes. 0 to 2^22: one transfer less, but one for every step. */
     public static final long ONE_TRANSFER_BYTES = 1L << 20;
+
+    /**
+     * Largest part of a state that is read back in one go through pinned memory, of which a world then has so much, bytes. At least
+     * {@link #ONE_TRANSFER_BYTES}, 2^20 to 2^26: a part costs some 10 us, a megabyte 40 us and as much to copy.
+     */
+    public static final int STAGING_BYTES = 1 << 22;
 
     /** Steps that may wait in the queue before the caller waits for them, steps. 8 to 256. */
     public static final int STEPS_IN_FLIGHT = 64;

@@ -5,6 +5,7 @@ import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Proxy;
+import java.nio.ByteBuffer;
 import java.nio.LongBuffer;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -32,6 +33,8 @@ final class FaultyClApi implements InvocationHandler {
     private final ClApi real;
     private final Map<Object, String> live = new IdentityHashMap<>();
     private final Map<Object, Map<Integer, NativePointerObject>> kernelBuffers = new IdentityHashMap<>();
+    private final Map<Object, ByteBuffer> mapped = new IdentityHashMap<>();
+    private final Map<Object, Boolean> unmapped = new IdentityHashMap<>();
     private final List<String> misuses = new ArrayList<>();
     private final List<String> calls = new ArrayList<>();
     private final Set<String> launched = new TreeSet<>();
@@ -76,7 +79,7 @@ final class FaultyClApi implements InvocationHandler {
         return new TreeSet<>(launched);
     }
 
-    /** Handles that were created and not released. */
+    /** Handles that were created and not released, and memory that was mapped and not unmapped. */
     synchronized List<String> live() {
         return List.copyOf(live.values());
     }
@@ -99,7 +102,7 @@ final class FaultyClApi implements InvocationHandler {
         }
         boolean fails = number >= failFrom && number <= failTo;
         // what was to be released is lost to the library either way: these happen, and then say that they failed
-        boolean happens = !fails || name.startsWith("release");
+        boolean happens = !fails || name.startsWith("release") || name.equals("enqueueUnmapMemObject");
         Object result = happens ? call(method, args) : null;
         if (happens) {
             keepBooks(name, args, result);
@@ -130,7 +133,14 @@ final class FaultyClApi implements InvocationHandler {
                 misuses.add(name + " of a released " + arg.getClass().getSimpleName());
             }
         }
-        if (name.equals("enqueueNDRangeKernel")) {
+        if (name.equals("releaseMemObject") && mapped.containsKey(args[0])) {
+            misuses.add("release of a buffer that is mapped");
+        } else if (name.equals("enqueueUnmapMemObject") && mapped.get(args[1]) != args[2]) {
+            misuses.add("unmap of what is not mapped");
+        } else if ((name.equals("enqueueReadBuffer") || name.equals("enqueueWriteBuffer"))
+                && unmapped.containsKey(field(args[4], "buffer"))) {
+            misuses.add(name + " with memory that was unmapped");
+        } else if (name.equals("enqueueNDRangeKernel")) {
             kernelBuffers.getOrDefault(args[1], Map.of()).forEach((index, buffer) -> {
                 if (buffer == null || !live.containsKey(buffer)) {
                     misuses.add("launch of " + live.get(args[1]) + " with a released buffer as argument " + index);
@@ -145,6 +155,12 @@ final class FaultyClApi implements InvocationHandler {
             live.put(result, result instanceof cl_kernel ? (String) args[1] : name);
         } else if (name.startsWith("release")) {
             live.remove(args[0]);
+        } else if (name.equals("enqueueMapBuffer") && result != null) {
+            mapped.put(args[1], (ByteBuffer) result);
+            live.put(result, name);
+        } else if (name.equals("enqueueUnmapMemObject")) {
+            live.remove(mapped.remove(args[1]));
+            unmapped.put(args[2], true);
         } else if (name.equals("enqueueNDRangeKernel")) {
             launched.add(live.get(args[1]));
         } else if (name.equals("setKernelArg")

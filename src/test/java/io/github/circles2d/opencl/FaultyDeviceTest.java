@@ -199,6 +199,9 @@ class FaultyDeviceTest {
             assertEquals(CL.CL_INVALID_CONTEXT, api.releaseContext(null));
             assertEquals(CL.CL_INVALID_KERNEL, api.releaseKernel(null));
             assertEquals(CL.CL_INVALID_PROGRAM, api.releaseProgram(null));
+            assertEquals(CL.CL_INVALID_COMMAND_QUEUE, api.enqueueUnmapMemObject(null, null, null));
+            assertNull(api.enqueueMapBuffer(null, null, CL.CL_MAP_READ, 16, status));
+            assertEquals(CL.CL_INVALID_COMMAND_QUEUE, status[0]);
             assertNull(api.createKernel(null, "c2d_update", status));
             assertEquals(CL.CL_INVALID_PROGRAM, status[0]);
             assertNull(api.createSubBuffer(null, CL.CL_MEM_READ_WRITE, 0, 16, status));
