@@ -1,12 +1,5 @@
 package io.github.circles2d;
 
-import io.github.circles2d.pipeline.DeviceState;
-import io.github.circles2d.pipeline.Pipeline;
-import io.github.circles2d.pipeline.SmallPipeline;
-import io.github.circles2d.pipeline.SmallStages;
-import io.github.circles2d.pipeline.Stages;
-import io.github.circles2d.pipeline.StepSums;
-import io.github.circles2d.pipeline.Stepper;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 
@@ -28,49 +21,28 @@ import io.github.circles2d.pipeline.WorldConfig;
  * for every {@link IndexStrategy} and {@link CollisionStore}: {@link #stateHash()} shows it.
  *
  * <p><b>Threads.</b> For one thread at a time; which one may change. Calls from several are done one after the other, in
- * no particular order. Worlds share nothing: each thread can have its own.
+ * no particular order. Worlds share nothing: each thread can have its own. With {@link Builder#background} a world has a thread of
+ * its own besides, which makes the steps: {@link #step()} hands them over and returns, {@link #snapshot()} waits for those that are
+ * not done yet and shows what that thread has read back. Every other call but {@link #circleCount()} and {@link #device()} waits for it
+ * too. Waiting goes on through an interrupt, and the thread that waited is interrupted then. The bits are the same.
  *
  * <p><b>Errors.</b> When a device fails in a step the call throws a {@link Circles2DException} and the world has failed:
- * every later call but {@link #close()} throws again, with the first failure as its cause. A {@link Snapshot} taken
- * before stays readable. After {@link #close()} every call throws {@link IllegalStateException}.
+ * every later call but {@link #close()} throws again, with the first failure as its cause. In the background it is the next call
+ * that throws it, whichever that is, and no step is made after it. A {@link Snapshot} taken before stays readable. After {@link
+ * #close()} every call throws {@link IllegalStateException}.
  */
 public final class Circles2D implements AutoCloseable {
     private final ComputeDevice device;
     private final WorldConfig config;
-    private final DeviceState stages;
-    private final Stepper pipeline;
-    private final CircleState state;
+    private final WorldState state;
     private final LeakReporter leak;
-
-    /** The state on the host is that of the last step. */
-    private boolean fresh = true;
-    /** The state on the host has changes that the device has not seen. */
-    private boolean changed = true;
-
-    /** An upload has failed half-way: what the device holds is neither the old state nor the new. */
-    private boolean lost;
-
-    private long steps;
-    /** Of step number {@code stats.steps()}. */
-    private StepStats stats = new StepStats(0, 0, 0, 0, 0, 0, 0, 0, 0);
-
     private boolean closed;
-    private Circles2DException failure;
 
-    Circles2D(ComputeDevice device, WorldConfig config, int capacity) {
+    Circles2D(ComputeDevice device, WorldConfig config, int capacity, boolean background) {
         this.device = device;
         this.config = config;
-        state = new CircleState(capacity);
-        if (config.solver() == Solver.SMALL_STEPS) {
-            SmallStages small = device.device().openSmall(config);
-            stages = small;
-            pipeline = new SmallPipeline(config, small);
-        } else {
-            Stages opened = device.device().open(config);
-            stages = opened;
-            pipeline = new Pipeline(opened);
-        }
-        leak = LeakReporter.watch(this, device.toString());
+        state = new WorldState(device, config, capacity, background);
+        leak = LeakReporter.watch(this, device.toString(), state::abandon);
     }
 
     /** A builder with the defaults of {@link Builder}. */
@@ -112,6 +84,13 @@ public final class Circles2D implements AutoCloseable {
 
         /** How many circles to make room for; a hint, the world grows. */
         Builder capacity(int circles);
+
+        /**
+         * Whether a daemon thread of the world's own makes the steps and reads the circles back, so that the caller need not wait for
+         * either. Default false. It costs a second set of the buffers of {@link Snapshot} and an eighth of a millisecond or so a step
+         * for handing over; see there for how long buffers stay as they are. Never changes the result.
+         */
+        Builder background(boolean background);
 
         /**
          * Builds the world; compiles the kernels.
@@ -159,10 +138,7 @@ public final class Circles2D implements AutoCloseable {
             throw new IllegalArgumentException("radius = " + radius + ": the circle must fit into the bounds, "
                     + (config.maxX() - config.minX()) + " x " + (config.maxY() - config.minY()));
         }
-        download();
-        int slot = state.add(x, y, radius, mass, vx, vy);
-        changed = true;
-        return state.circleAt(slot);
+        return state.toChange().add(x, y, radius, mass, vx, vy);
     }
 
     /**
@@ -175,24 +151,26 @@ public final class Circles2D implements AutoCloseable {
      */
     public synchronized void setVelocity(long circle, float vx, float vy) {
         requireUsable();
-        if (circle < 0 || circle >= state.count()) {
+        int count = state.circles().count();
+        if (circle < 0 || circle >= count) {
             throw new IllegalArgumentException(
-                    "circle = " + circle + ": not a handle of this world, which has " + state.count() + " circles");
+                    "circle = " + circle + ": not a handle of this world, which has " + count + " circles");
         }
         Check.magnitude("vx", vx, Tuning.MAX_SPEED);
         Check.magnitude("vy", vy, Tuning.MAX_SPEED);
-        download();
-        state.setVelocity((int) circle, vx, vy);
-        changed = true;
+        state.toChange().setVelocity((int) circle, vx, vy);
     }
 
     /** Number of circles. */
     public synchronized int circleCount() {
         requireUsable();
-        return state.count();
+        return state.circles().count();
     }
 
-    /** One time step. Queues the work and need not wait for it. */
+    /**
+     * One time step. Queues the work and need not wait for it. In the background it never does, even while earlier steps are under way,
+     * unless circles were added or velocities set since the last: those it sends to the device first.
+     */
     public synchronized void step() {
         step(1);
     }
@@ -205,26 +183,15 @@ public final class Circles2D implements AutoCloseable {
     public synchronized void step(int count) {
         requireUsable();
         Check.range("steps", count, 0, Integer.MAX_VALUE);
-        if (count == 0) {
-            return;
+        if (count > 0) {
+            state.step(count);
         }
-        upload();
-        fresh = false;
-        try {
-            for (int i = 0; i < count; i++) {
-                pipeline.step();
-            }
-        } catch (Circles2DException e) {
-            throw failed(e);
-        }
-        steps += count;
     }
 
     /** The circles after the last step. Waits for it. Always the same object, refreshed. */
     public synchronized Snapshot snapshot() {
         requireUsable();
-        download();
-        return state;
+        return state.latest();
     }
 
     /**
@@ -233,36 +200,13 @@ public final class Circles2D implements AutoCloseable {
      */
     public synchronized long stateHash() {
         requireUsable();
-        download();
-        return state.hash();
+        return state.latest().hash();
     }
 
     /** What the last step looked like; before the first, the circles alone. Waits for it; computed on the device. */
     public synchronized StepStats stats() {
         requireUsable();
-        if (steps > 0 && stats.steps() == steps) {
-            return stats;
-        }
-        if (steps == 0 || lost) {
-            upload();
-        }
-        try {
-            pipeline.await();
-            StepSums sums = stages.sums();
-            stats = new StepStats(
-                    steps,
-                    sums.touching(),
-                    sums.largestOverlap(),
-                    sums.meanOverlap(),
-                    sums.energy(),
-                    sums.momentumX(),
-                    sums.momentumY(),
-                    sums.fastest(),
-                    (int) sums.outside());
-            return stats;
-        } catch (Circles2DException e) {
-            throw failed(e);
-        }
+        return state.stats();
     }
 
     /**
@@ -272,7 +216,7 @@ public final class Circles2D implements AutoCloseable {
      */
     public synchronized long deviceMemory() {
         requireUsable();
-        return stages.bytes();
+        return state.bytes();
     }
 
     /** Where this world runs. */
@@ -281,50 +225,23 @@ public final class Circles2D implements AutoCloseable {
         return device;
     }
 
-    /** Waits for the device and releases everything the world holds. A second call does nothing. */
+    /**
+     * Waits for the device and releases everything the world holds. In the background, waits for the step that is under way, drops those
+     * that have not begun, and ends the thread; logs a failure that no call has thrown yet. A second call does nothing.
+     */
     @Override
     public synchronized void close() {
         if (!closed) {
             closed = true;
             leak.closed();
-            stages.close();
+            state.close();
         }
-    }
-
-    private void upload() {
-        if (changed) {
-            lost = true;
-            pipeline.upload(state.circleBuffer(), state.velocityBuffer(), state.count(), state.maxRadius());
-            lost = false;
-            changed = false;
-        }
-    }
-
-    private void download() {
-        if (fresh) {
-            return;
-        }
-        try {
-            pipeline.await();
-            stages.download(state.circleBuffer(), state.velocityBuffer());
-        } catch (Circles2DException e) {
-            throw failed(e);
-        }
-        state.refreshed();
-        fresh = true;
-    }
-
-    private Circles2DException failed(Circles2DException e) {
-        failure = e;
-        return e;
     }
 
     private void requireUsable() {
         if (closed) {
             throw new IllegalStateException("this world is closed");
         }
-        if (failure != null) {
-            throw new Circles2DException("this world has failed: " + failure.getMessage(), failure);
-        }
+        state.requireUsable();
     }
 }

@@ -8,14 +8,17 @@ final class LeakReporter implements Runnable {
     private static final Cleaner CLEANER = Cleaner.create();
 
     private final String device;
+    private final Runnable abandon;
     private volatile boolean closed;
 
-    private LeakReporter(String device) {
+    private LeakReporter(String device, Runnable abandon) {
         this.device = device;
+        this.abandon = abandon;
     }
 
-    static LeakReporter watch(Circles2D world, String device) {
-        LeakReporter reporter = new LeakReporter(device);
+    /** @param abandon what to do then besides; must not hold the world */
+    static LeakReporter watch(Circles2D world, String device, Runnable abandon) {
+        LeakReporter reporter = new LeakReporter(device, abandon);
         CLEANER.register(world, reporter);
         return reporter;
     }
@@ -27,6 +30,7 @@ final class LeakReporter implements Runnable {
     @Override
     public void run() {
         if (!closed) {
+            abandon.run();
             LOG.log(
                     System.Logger.Level.WARNING,
                     "a world on {0} was never closed; what it holds stays allocated",

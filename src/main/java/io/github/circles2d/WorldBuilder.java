@@ -19,6 +19,7 @@ final class WorldBuilder implements Circles2D.Builder {
     private float maxX = 1;
     private float maxY = 1;
     private int capacity = Tuning.FIRST_CIRCLES;
+    private boolean background;
     private int workGroup;
     private long pairsPerSlice;
     private int smallWorld = Tuning.SMALL_WORLD;
@@ -97,6 +98,12 @@ final class WorldBuilder implements Circles2D.Builder {
         return this;
     }
 
+    @Override
+    public WorldBuilder background(boolean background) {
+        this.background = background;
+        return this;
+    }
+
     /** Work-items of a group, a power of two; 0 for what suits the device. */
     WorldBuilder workGroup(int items) {
         workGroup = items;
@@ -119,10 +126,10 @@ final class WorldBuilder implements Circles2D.Builder {
     public Circles2D build() {
         ComputeDevice on = device != null ? device : ComputeDevice.preferred();
         if (strategy != IndexStrategy.auto()) {
-            return new Circles2D(on, config(strategy, smallWorld), capacity);
+            return new Circles2D(on, config(strategy, smallWorld), capacity, background);
         }
         AutoChoice choice = AutoChoice.of(on, solver, store, capacity);
-        return new Circles2D(on, config(choice.strategy(), choice.smallWorld()), capacity);
+        return new Circles2D(on, config(choice.strategy(), choice.smallWorld()), capacity, background);
     }
 
     private WorldConfig config(IndexStrategy chosen, int largestSmallWorld) {
