@@ -5,6 +5,7 @@ import java.lang.management.ManagementFactory;
 import java.lang.ref.WeakReference;
 import java.net.URL;
 import java.net.URLClassLoader;
+import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.management.ObjectName;
@@ -104,19 +105,32 @@ final class ForkedJvm {
     }
 
     private static void leak() throws InterruptedException {
-        WeakReference<Circles2D> closed = new WeakReference<>(world(true));
-        WeakReference<Circles2D> leaked = new WeakReference<>(world(false));
-        for (int i = 0; i < 200 && (closed.get() != null || leaked.get() != null); i++) {
+        List<WeakReference<Circles2D>> worlds = List.of(
+                new WeakReference<>(world(false, true)),
+                new WeakReference<>(world(false, false)),
+                new WeakReference<>(world(true, true)),
+                new WeakReference<>(world(true, false)));
+        for (int i = 0; i < 200 && worlds.stream().anyMatch(world -> world.get() != null); i++) {
             System.gc();
             Thread.sleep(20);
         }
         // the cleaner runs in a thread of its own
         Thread.sleep(500);
-        System.out.println("collected=" + (closed.get() == null && leaked.get() == null));
+        System.out.println("collected=" + worlds.stream().allMatch(world -> world.get() == null));
+        System.out.println("threads="
+                + Thread.getAllStackTraces().keySet().stream()
+                        .filter(thread -> thread.getName().equals("circles2d steps"))
+                        .count());
     }
 
-    private static Circles2D world(boolean close) {
-        Circles2D world = Circles2D.builder().device(ComputeDevice.host()).build();
+    private static Circles2D world(boolean background, boolean close) {
+        Circles2D world = Circles2D.builder()
+                .device(ComputeDevice.host())
+                .background(background)
+                .build();
+        if (background) {
+            world.step(Integer.MAX_VALUE);
+        }
         if (close) {
             world.close();
         }

@@ -199,7 +199,8 @@ class ForkedJvmTest {
     void aWorldThatWasNeverClosedIsReportedAndAClosedOneIsNot() throws Exception {
         String said = start(Map.of(), MAIN, "leak").succeed();
         assertTrue(said.contains("collected=true"), said);
-        assertEquals(1, times(said, "was never closed"), said);
+        assertEquals(2, times(said, "was never closed"), said);
+        assertTrue(said.contains("threads=0"), said);
     }
 
     /** PoCL takes over the signal of a division by zero, and its LLVM that of a bad address. Without libjsig both come back. */

@@ -12,6 +12,7 @@ final class Find {
     private final Workers workers;
     private final Workers.Work search = this::search;
     private final Workers.Work fill = this::fill;
+    private final PairSource.PairAction pair = this::pair;
     private final PairSource pairs;
     /** Of each part: contacts listed with the circle that found them, in order; and the others. */
     private final SmallContacts.Found[] own;
@@ -47,7 +48,7 @@ final class Find {
         }
         if (pairs != null) {
             Arrays.fill(owns, 0, state.circles, 0);
-            pairs.forEach(state.circles, this::pair);
+            pairs.forEach(state.circles, pair);
         } else {
             workers.run(state.circles, search);
         }

@@ -14,6 +14,7 @@ import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Internals;
 import io.github.circles2d.OpenClException;
+import io.github.circles2d.Snapshot;
 import io.github.circles2d.TestDevices;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -81,7 +82,8 @@ class FaultTest {
     enum World {
         ONE_GROUP,
         SLICES_OF_A_TRIANGLE,
-        SMALL_STEPS
+        SMALL_STEPS,
+        IN_BACKGROUND
     }
 
     private Circles2D.Builder builder(World kind) {
@@ -93,6 +95,8 @@ class FaultTest {
                         .indexStrategy(IndexStrategy.pairTable())
                         .collisionStore(CollisionStore.TRIANGLE);
             case SMALL_STEPS -> Internals.builder(0, 0, 0).device(device).substeps(2);
+            case IN_BACKGROUND ->
+                Internals.builder(0, 0, 0).device(device).substeps(2).background(true);
         };
     }
 
@@ -118,8 +122,7 @@ class FaultTest {
         for (int k = 0; k < calls.size(); k++) {
             // every call with one status, the first of each kind with all of them
             boolean first = met.add(calls.get(k));
-            if (kind == World.SMALL_STEPS && !first && k % 5 != 0) {
-                // its launches and arguments are many and alike
+            if (!first && k % every(kind) != 0) {
                 continue;
             }
             for (int s = 0; s < (first ? STATUSES.size() : 1); s++) {
@@ -133,6 +136,11 @@ class FaultTest {
                 }
             }
         }
+    }
+
+    /** Launches and arguments of small steps are many and alike. */
+    private static int every(World kind) {
+        return kind == World.SMALL_STEPS ? 5 : kind == World.IN_BACKGROUND ? 11 : 1;
     }
 
     /** Says what happened, or does what it would have done without the fault. */
@@ -263,5 +271,102 @@ class FaultTest {
         }
         assertNothingLeft("after a lost device");
         assertEquals(expected, healthy(World.SLICES_OF_A_TRIANGLE));
+    }
+
+    @Test
+    void aFailureInTheBackgroundIsThrownByTheNextCallAndThenNamed() {
+        List<Function<Circles2D, Object>> calls = List.of(
+                Circles2D::snapshot,
+                Circles2D::stateHash,
+                FaultTest::stats,
+                Circles2D::deviceMemory,
+                world -> world.addCircle(0.5f, 0.5f, 0.1f, 1),
+                FaultTest::setVelocity);
+        for (Function<Circles2D, Object> call : calls) {
+            faulty.behave();
+            try (Circles2D world = builder(World.IN_BACKGROUND).build()) {
+                addPile(world);
+                world.step();
+                float x = world.snapshot().x(3);
+                Snapshot before = world.snapshot();
+                faulty.fail(0, -36, true);
+                world.step(5);
+                OpenClException first = assertThrows(OpenClException.class, () -> call.apply(world));
+                assertEquals(-36, first.status());
+                assertEquals(1, faulty.calls().size(), "no step after it");
+                assertSame(
+                        first,
+                        assertThrows(Circles2DException.class, world::step).getCause());
+                assertSame(
+                        first,
+                        assertThrows(Circles2DException.class, () -> call.apply(world))
+                                .getCause());
+                assertEquals(x, before.x(3));
+                faulty.behave();
+            }
+            assertNothingLeft("after a failure in the background");
+            assertEquals(List.of(), log.take());
+        }
+    }
+
+    private static Object setVelocity(Circles2D world) {
+        world.setVelocity(0, 1, 1);
+        return "set";
+    }
+
+    @Test
+    void stepsThrowWhatAStepBeforeThemInTheBackgroundHasThrown() throws InterruptedException {
+        faulty.behave();
+        try (Circles2D world = builder(World.IN_BACKGROUND).build()) {
+            addPile(world);
+            world.step();
+            world.snapshot();
+            faulty.fail(0, -36, false);
+            world.step();
+            while (faulty.calls().isEmpty()) {
+                Thread.sleep(1);
+            }
+            assertThrows(OpenClException.class, () -> {
+                for (int i = 0; i < 10_000; i++) {
+                    world.step();
+                    Thread.sleep(1);
+                }
+            });
+        }
+        assertNothingLeft("after a failure in the background");
+    }
+
+    @Test
+    void aFailureThatNoCallHasThrownIsLoggedAtTheEnd() throws InterruptedException {
+        faulty.behave();
+        try (Circles2D world = builder(World.IN_BACKGROUND).build()) {
+            addPile(world);
+            world.step();
+            world.snapshot();
+            faulty.fail(0, -36, false);
+            world.step();
+            while (faulty.calls().isEmpty()) {
+                Thread.sleep(1);
+            }
+        }
+        assertNothingLeft("after a failure in the background");
+        assertEquals(List.of("a step failed, and the world was closed"), log.take());
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"createBuffer", "enqueueMapBuffer"})
+    void withoutPinnedMemoryCirclesComeBackAllTheSame(String call) {
+        List<Object> expected = healthy(World.SMALL_STEPS);
+        List<String> calls = faulty.calls();
+        int map = calls.indexOf("enqueueMapBuffer");
+        assertEquals("createBuffer", calls.get(map - 1));
+        faulty.fail(call.equals("createBuffer") ? map - 1 : map, -4, false);
+        List<Object> results = new ArrayList<>();
+        try (Circles2D world = builder(World.SMALL_STEPS).build()) {
+            USE.forEach(use -> results.add(use.apply(world)));
+        }
+        assertEquals(expected, results);
+        assertTrue(log.take().get(0).contains("no pinned memory"));
+        assertNothingLeft(call);
     }
 }
