@@ -19,7 +19,8 @@ import org.openjdk.jmh.runner.options.CommandLineOptionException;
  * mvn -q -Pbench verify -Dbench.args="Frame --device gpu --circles 1000,100000 --work 0,4 --out target/frame"
  * }</pre>
  *
- * <p>Further names: {@code --substeps} (8). What else there is goes to JMH. Figures are added to those that are in the folder;
+ * <p>Further names: {@code --substeps} (8), {@code --background} (false,true: whether the world makes its steps on a thread of its
+ * own). What else there is goes to JMH. Figures are added to those that are in the folder;
  * {@code --draw} measures nothing.
  */
 public final class Frame {
@@ -27,13 +28,14 @@ public final class Frame {
 
     /** As the class comment says. */
     public static void main(String[] arguments) throws IOException, CommandLineOptionException {
-        Args args = Args.parse(arguments, "work", "substeps");
+        Args args = Args.parse(arguments, "work", "substeps", "background");
         Path folder = args.folder();
         Rows rows = new Rows(
                 folder.resolve("frame.csv"),
-                4,
+                5,
                 "device",
                 "substeps",
+                "background",
                 "work",
                 "circles",
                 "frame ms",
@@ -47,8 +49,10 @@ public final class Frame {
                     + Machine.version("org.openjdk.jmh", "jmh-core"));
             for (ComputeDevice device : Machine.devices(args)) {
                 for (String substeps : args.list("substeps", "8")) {
-                    for (String work : args.list("work", "0", "1", "4", "10")) {
-                        measure(args, rows, device, substeps, work);
+                    for (String background : args.list("background", "false", "true")) {
+                        for (String work : args.list("work", "0", "1", "4", "10")) {
+                            measure(args, rows, device, substeps, background, work);
+                        }
                     }
                 }
             }
@@ -56,7 +60,8 @@ public final class Frame {
         write(rows, folder);
     }
 
-    private static void measure(Args args, Rows rows, ComputeDevice device, String substeps, String work)
+    private static void measure(
+            Args args, Rows rows, ComputeDevice device, String substeps, String background, String work)
             throws IOException, CommandLineOptionException {
         String name = Machine.label(device);
         int limit = args.limit(60);
@@ -66,7 +71,7 @@ public final class Frame {
             double expected = frame / 1000 * circles / before;
             // ten steps to settle, and a frame at least
             if (expected * 11 > limit) {
-                rows.put(name, substeps, work, circles, "left out: expected to take more than " + limit + " s");
+                rows.put(name, substeps, background, work, circles, "left out: expected to take more than " + limit + " s");
                 continue;
             }
             Map<String, String> parameters = new LinkedHashMap<>();
@@ -74,11 +79,12 @@ public final class Frame {
             parameters.put("circles", String.valueOf(circles));
             parameters.put("work", work);
             parameters.put("substeps", substeps);
+            parameters.put("background", background);
             double iteration = expected == 0 ? 0 : Math.max(1, expected);
             JmhCell cell =
                     JmhCell.run(FrameStep.class, args, parameters, iteration, limit - (int) (expected * 10), "gc");
             if (cell.failure() != null) {
-                rows.put(name, substeps, work, circles, cell.failure());
+                rows.put(name, substeps, background, work, circles, cell.failure());
                 // larger ones would do no better
                 frame = Double.MAX_VALUE;
                 continue;
@@ -91,6 +97,7 @@ public final class Frame {
             rows.put(
                     name,
                     substeps,
+                    background,
                     work,
                     circles,
                     frame,
@@ -106,12 +113,14 @@ public final class Frame {
         Markdown page = Markdown.page("What a game pays for a frame", rows)
                 .paragraph(
                         "step(), some work of the game's own on the same thread, snapshot(): a pile that lies ready, grid(),"
-                                + " SMALL_STEPS. Wait is the time in the two calls. Bytes from the heap: what JMH's profiler sees, its"
+                                + " SMALL_STEPS. Wait is the time in the two calls. In the background, a thread of the world's own makes"
+                                + " the steps. Bytes from the heap: what JMH's profiler sees, its"
                                 + " own included, and what the game's thread takes in the two calls.")
                 .table(
                         1,
                         "device",
                         "substeps",
+                        "background",
                         "circles",
                         "work, ms",
                         "frame, ms",
@@ -125,23 +134,15 @@ public final class Frame {
         List<Integer> works = rows.numbers("work");
         for (String device : rows.values("device")) {
             for (String substeps : rows.values("substeps")) {
-                for (int n : circles) {
-                    for (int work : works) {
-                        rows.row(device, substeps, work, n).ifPresent(row -> add(page, row));
+                for (String background : rows.values("background")) {
+                    for (int n : circles) {
+                        for (int work : works) {
+                            rows.row(device, substeps, background, work, n).ifPresent(row -> add(page, row));
+                        }
                     }
-                }
-                for (int work : works) {
-                    chart.line(
-                            device + ", work " + work + " ms"
-                                    + (rows.values("substeps").size() > 1 ? ", substeps " + substeps : ""),
-                            rows.values("device").indexOf(device),
-                            works.indexOf(work),
-                            circles,
-                            circles.stream()
-                                    .map(n -> rows.row(device, substeps, work, n)
-                                            .map(row -> thousandth(row.get("wait us")))
-                                            .orElse(""))
-                                    .toList());
+                    for (int work : works) {
+                        line(chart, rows, circles, device, substeps, background, work);
+                    }
                 }
             }
         }
@@ -149,10 +150,35 @@ public final class Frame {
         page.picture("What a game's thread waits in a frame", "frame.png").save(folder.resolve("frame.md"));
     }
 
+    private static void line(
+            Chart chart,
+            Rows rows,
+            List<Integer> circles,
+            String device,
+            String substeps,
+            String background,
+            int work) {
+        int colour = rows.values("device").indexOf(device) * rows.values("background").size()
+                + rows.values("background").indexOf(background);
+        chart.line(
+                device + ", work " + work + " ms"
+                        + (rows.values("substeps").size() > 1 ? ", substeps " + substeps : "")
+                        + (background.equals("true") ? ", background" : ""),
+                colour,
+                rows.numbers("work").indexOf(work),
+                circles,
+                circles.stream()
+                        .map(n -> rows.row(device, substeps, background, work, n)
+                                .map(row -> thousandth(row.get("wait us")))
+                                .orElse(""))
+                        .toList());
+    }
+
     private static void add(Markdown page, Map<String, String> row) {
         page.row(
                 row.get("device"),
                 row.get("substeps").equals("0") ? "auto" : row.get("substeps"),
+                row.get("background").equals("true") ? "yes" : "no",
                 Markdown.count(row.get("circles")),
                 row.get("work"),
                 Markdown.figure(row.get("frame ms")),

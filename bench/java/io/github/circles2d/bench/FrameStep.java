@@ -56,6 +56,10 @@ public class FrameStep {
     @Param("8")
     public int substeps;
 
+    /** Whether the world has a thread of its own for its steps. */
+    @Param({"false", "true"})
+    public boolean background;
+
     private Circles2D world;
 
     /** Sums over an iteration. */
@@ -76,7 +80,8 @@ public class FrameStep {
                         .device(Machine.device(device))
                         .solver(Solver.SMALL_STEPS)
                         .indexStrategy(IndexStrategy.grid())
-                        .substeps(substeps));
+                        .substeps(substeps)
+                        .background(background));
         world.step(SETTLE);
         world.snapshot();
     }
