@@ -19,6 +19,9 @@ import org.jocl.cl_program;
  * application has turned them on they become statuses again here.
  */
 final class JoclApi implements ClApi {
+    /** JOCL keeps its contexts in a map that two threads may not change at a time: the JVM would crash. */
+    private static final Object CONTEXTS = new Object();
+
     private JoclApi() {}
 
     /**
@@ -79,7 +82,9 @@ final class JoclApi implements ClApi {
     @Override
     public cl_context createContext(cl_context_properties properties, cl_device_id device, int[] status) {
         try {
-            return CL.clCreateContext(properties, 1, new cl_device_id[] {device}, null, null, status);
+            synchronized (CONTEXTS) {
+                return CL.clCreateContext(properties, 1, new cl_device_id[] {device}, null, null, status);
+            }
         } catch (CLException e) {
             return failed(e, status);
         }
@@ -272,7 +277,9 @@ final class JoclApi implements ClApi {
     @Override
     public int releaseContext(cl_context context) {
         try {
-            return CL.clReleaseContext(context);
+            synchronized (CONTEXTS) {
+                return CL.clReleaseContext(context);
+            }
         } catch (CLException e) {
             return e.getStatus();
         }
