@@ -71,7 +71,13 @@ public final class Frame {
             double expected = frame / 1000 * circles / before;
             // ten steps to settle, and a frame at least
             if (expected * 11 > limit) {
-                rows.put(name, substeps, background, work, circles, "left out: expected to take more than " + limit + " s");
+                rows.put(
+                        name,
+                        substeps,
+                        background,
+                        work,
+                        circles,
+                        "left out: expected to take more than " + limit + " s");
                 continue;
             }
             Map<String, String> parameters = new LinkedHashMap<>();
@@ -158,7 +164,8 @@ public final class Frame {
             String substeps,
             String background,
             int work) {
-        int colour = rows.values("device").indexOf(device) * rows.values("background").size()
+        int colour = rows.values("device").indexOf(device)
+                        * rows.values("background").size()
                 + rows.values("background").indexOf(background);
         chart.line(
                 device + ", work " + work + " ms"

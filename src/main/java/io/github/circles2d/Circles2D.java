@@ -87,8 +87,8 @@ public final class Circles2D implements AutoCloseable {
 
         /**
          * Whether a daemon thread of the world's own makes the steps and reads the circles back, so that the caller need not wait for
-         * either. Default false. It costs a second set of the buffers of {@link Snapshot} and an eighth of a millisecond or so a step
-         * for handing over; see there for how long buffers stay as they are. Never changes the result.
+         * either. Default false. It takes a second set of the buffers of {@link Snapshot}, where it says how long each stays as it is; a
+         * step that is waited for at once takes some 10 us longer. Never changes the result.
          */
         Builder background(boolean background);
 
@@ -168,8 +168,8 @@ public final class Circles2D implements AutoCloseable {
     }
 
     /**
-     * One time step. Queues the work and need not wait for it. In the background it never does, even while earlier steps are under way,
-     * unless circles were added or velocities set since the last: those it sends to the device first.
+     * One time step. Queues the work and need not wait for it. In the background it never does, however many earlier steps are not done
+     * yet, unless circles were added or velocities set since the last: those it sends to the device first.
      */
     public synchronized void step() {
         step(1);
@@ -211,8 +211,8 @@ public final class Circles2D implements AutoCloseable {
 
     /**
      * How much of its device's memory the world holds now, bytes, tables of the index strategy included: under {@link
-     * Solver#SMALL_STEPS} with {@link IndexStrategy#grid()} some 200 a circle. 0 before the first step and on the host
-     * device, whose memory is Java's heap.
+     * Solver#SMALL_STEPS} with {@link IndexStrategy#grid()} some 200 a circle. Up to 4 MiB of it, through which circles are read back,
+     * are the host's on most devices. 0 before the first step and on the host device, whose memory is Java's heap.
      */
     public synchronized long deviceMemory() {
         requireUsable();

@@ -13,8 +13,10 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 @Timeout(120)
@@ -53,6 +55,10 @@ class ConcurrencyTest {
         }
     }
 
+    static Stream<Arguments> worlds() {
+        return TestDevices.both().flatMap(device -> Stream.of(Arguments.of(device, false), Arguments.of(device, true)));
+    }
+
     @ParameterizedTest
     @MethodSource("io.github.circles2d.TestDevices#both")
     void worldsInSeveralThreads(Supplier<ComputeDevice> device) throws Exception {
@@ -66,10 +72,10 @@ class ConcurrencyTest {
     }
 
     @ParameterizedTest
-    @MethodSource("io.github.circles2d.TestDevices#both")
-    void oneWorldInSeveralThreads(Supplier<ComputeDevice> device) throws Exception {
+    @MethodSource("worlds")
+    void oneWorldInSeveralThreads(Supplier<ComputeDevice> device, boolean background) throws Exception {
         int each = 25;
-        Circles2D.Builder builder = Circles2D.builder().device(device.get());
+        Circles2D.Builder builder = Circles2D.builder().device(device.get()).background(background);
         try (Circles2D world = Scene.THESIS.build(builder, 100)) {
             together(() -> {
                 for (int k = 0; k < each; k++) {
@@ -89,15 +95,16 @@ class ConcurrencyTest {
 
     /** Steps alone, so that their number is all that counts. */
     @ParameterizedTest
-    @MethodSource("io.github.circles2d.TestDevices#both")
-    void stepsFromSeveralThreadsAddUp(Supplier<ComputeDevice> device) throws Exception {
+    @MethodSource("worlds")
+    void stepsFromSeveralThreadsAddUp(Supplier<ComputeDevice> device, boolean background) throws Exception {
         int each = 20;
         long serial;
         try (Circles2D world = Scene.THESIS.build(Circles2D.builder().device(ComputeDevice.host()), 200)) {
             world.step(THREADS * each);
             serial = world.stateHash();
         }
-        try (Circles2D world = Scene.THESIS.build(Circles2D.builder().device(device.get()), 200)) {
+        try (Circles2D world =
+                Scene.THESIS.build(Circles2D.builder().device(device.get()).background(background), 200)) {
             together(() -> {
                 for (int k = 0; k < each; k++) {
                     world.step();
@@ -110,9 +117,10 @@ class ConcurrencyTest {
 
     /** One thread closes the world that others use: they get an IllegalStateException, the JVM lives. */
     @ParameterizedTest
-    @MethodSource("io.github.circles2d.TestDevices#both")
-    void closedWhileOthersStep(Supplier<ComputeDevice> device) throws Exception {
-        Circles2D world = Scene.THESIS.build(Circles2D.builder().device(device.get()), 200);
+    @MethodSource("worlds")
+    void closedWhileOthersStep(Supplier<ComputeDevice> device, boolean background) throws Exception {
+        Circles2D world =
+                Scene.THESIS.build(Circles2D.builder().device(device.get()).background(background), 200);
         List<Boolean> ended = together(() -> {
             try {
                 for (int k = 0; k < 100_000; k++) {

@@ -6,10 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import io.github.circles2d.demo.Scene;
+import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.function.IntConsumer;
 import java.util.function.Supplier;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -107,5 +110,24 @@ class SnapshotTest {
         assertEquals(3, last.count());
         assertEquals(y, last.y(2));
         assertEquals(y, last.transforms().get(9));
+    }
+
+    /** A state that comes back from an OpenCL device in more than one part. */
+    @Test
+    void aLargeWorldComesBackWhole() {
+        int circles = Tuning.STAGING_BYTES / 16 + 1000;
+        assertEquals(large(ComputeDevice.host(), circles), large(TestDevices.openCl(), circles));
+    }
+
+    private static long large(ComputeDevice device, int circles) {
+        Circles2D.Builder builder =
+                Circles2D.builder().device(device).substeps(1).capacity(circles);
+        try (Circles2D world = Scene.GAS.build(builder, circles)) {
+            long before = world.stateHash();
+            world.step();
+            long after = world.stateHash();
+            assertNotEquals(before, after);
+            return after;
+        }
     }
 }
