@@ -10,7 +10,7 @@ import org.jocl.cl_mem;
 
 /**
  * Memory of the host through which the state is read back. Where the driver can, it is pinned: a GPU then writes into it by
- * itself, in half the time, while for other memory the driver copies piece by piece. Nobody outside may see it, for it is gone when
+ * itself, while for other memory the driver copies piece by piece. Nobody outside may see it, for it is gone when
  * the session is closed.
  */
 final class Staging implements AutoCloseable {

@@ -73,7 +73,7 @@ public final class Tuning {
 
     /**
      * Largest part of a state that is read back in one go through pinned memory, of which a world then has so much, bytes. At least
-     * {@link #ONE_TRANSFER_BYTES}, 2^20 to 2^26: a part costs some 10 us, a megabyte 40 us and as much to copy.
+     * {@link #ONE_TRANSFER_BYTES}, 2^20 to 2^26: less means more transfers, more no longer fits the processor's caches.
      */
     public static final int STAGING_BYTES = 1 << 22;
 
