@@ -26,8 +26,8 @@ static int c2d_tile(int2 cell, int8 tiling) {
 // The contacts of a tile, and its circles, are counted in so many parts: counting into one place takes turns.
 #define C2D_PARTS 8
 
-// Contact k, at one of the parts of its tile.
-static void c2d_batch_count_at(int k, __global const float8 *body, int8 all, __global const int8 *tilings,
+// Contact k, at one of the parts of its tile; or, where all tiles of a tiling are done as one, of its tiling.
+static void c2d_batch_count_at(int k, bool asOne, __global const float8 *body, int8 all, __global const int8 *tilings,
                                __global const float *rule, __global const int *other, int capacity, __global int *batch,
                                __global int *tileStart) {
     const int2 a = c2d_finest_cell(body[batch[k]].s01, all, rule);
@@ -39,7 +39,7 @@ static void c2d_batch_count_at(int k, __global const float8 *body, int8 all, __g
         tiling++;
         tile = c2d_tile(a, tilings[tiling]);
     }
-    const int part = C2D_PARTS * tile + k % C2D_PARTS;
+    const int part = C2D_PARTS * (asOne ? tiling : tile) + k % C2D_PARTS;
     batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
     batch[2 * capacity + k] = part;
 }
@@ -59,7 +59,7 @@ __kernel void c2d_batch_count(__global const float8 *body, __global const int8 *
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : listStart[circles];
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        c2d_batch_count_at(k, body, all, tilings, rule, other, capacity, batch, tileStart);
+        c2d_batch_count_at(k, false, body, all, tilings, rule, other, capacity, batch, tileStart);
     }
     for (int p = (int)get_global_id(0); p < (stalled || !fused ? 0 : circles); p += (int)get_global_size(0)) {
         turn[p] = atomic_inc(&tileStart[c2d_batch_part(p, body, all, tilings, rule, tiles) + 1]);
@@ -155,10 +155,9 @@ __kernel void c2d_batch_colour(C2D_BATCH_COLOUR, int number, int x, int y, int r
     }
 }
 
-// The levels from `firstLevel` on, all of their colours, in one launch of one work-group: where buckets are few, launches would
-// cost more than the work.
-__kernel void c2d_batch_colour_few(C2D_BATCH_COLOUR, int firstLevel, int levelCount) {
-    const bool stalled = status[C2D_STALLED] != 0u;
+// The levels from `firstLevel` on, all of their colours, by one work-group: where buckets are few, launches would cost more
+// than the work.
+static void c2d_batch_colour_levels(C2D_BATCH_COLOUR, int firstLevel, int levelCount, bool stalled) {
     for (int number = firstLevel; number < levelCount; number++) {
         const int8 level = levels[1 + number];
         const int rows = number == 0 ? 2 : 3;
@@ -175,32 +174,32 @@ __kernel void c2d_batch_colour_few(C2D_BATCH_COLOUR, int firstLevel, int levelCo
     }
 }
 
-// A tile's contacts by colour, to `pairs` and to the second part of `batch`, by work-items 0 to `items` - 1 of those that do
-// this tile; others of the group may do other tiles, or none where `tile` is negative. `counts`: of so many colours, then how
-// many contacts are in order, then the lowest colour that comes later. `again`: whether any tile of the group has such.
-#define C2D_COUNTS (C2D_COLOURS + 2)
-static void c2d_batch_order_tile(int tile, int item, int items, __global const int *other, __global const int *byTile,
+__kernel void c2d_batch_colour_few(C2D_BATCH_COLOUR, int firstLevel, int levelCount) {
+    c2d_batch_colour_levels(C2D_BATCH_COLOUR_HERE, firstLevel, levelCount, status[C2D_STALLED] != 0u);
+}
+
+// A tile's contacts by colour, to `pairs` and to the second part of `batch`, by one work-group. `counts`: of so many colours,
+// then how many contacts are in order, then the lowest colour that comes later.
+static void c2d_batch_order_tile(int tile, __global const int *other, __global const int *byTile,
                                  __global const ushort *tint, int capacity, __global int *batch, __global int2 *pairs,
-                                 __global const int *tileStart, __global int *tileColours, __local int *counts,
-                                 __local int *again) {
-    const int first = tile < 0 ? 0 : tileStart[C2D_PARTS * tile];
-    const int end = tile < 0 ? 0 : tileStart[C2D_PARTS * (tile + 1)];
+                                 __global const int *tileStart, __global int *tileColours, bool stalled,
+                                 __local int *counts) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
+    const int first = tileStart[C2D_PARTS * tile];
+    const int end = stalled ? first : tileStart[C2D_PARTS * (tile + 1)];
     __global int *colourStart = batch + 2 * capacity + first;
     __local int *sorted = counts + C2D_COLOURS;
     __local int *later = sorted + 1;
     int done = first;
     int lowest = 0;
     int colours = 0;
-    bool more = true;
-    while (more) {
+    while (done < end) {
         for (int c = item; c < C2D_COLOURS; c += items) {
             counts[c] = 0;
         }
         if (item == 0) {
             *later = C2D_COLOUR_MOST;
-        }
-        if (get_local_id(0) == 0) {
-            *again = 0;
         }
         barrier(CLK_LOCAL_MEM_FENCE);
         for (int e = first + item; e < end; e += items) {
@@ -223,9 +222,6 @@ static void c2d_batch_order_tile(int tile, int item, int items, __global const i
                 start += own;
             }
             *sorted = start;
-            if (start < end) {
-                atomic_xchg(again, 1);
-            }
         }
         barrier(CLK_LOCAL_MEM_FENCE);
         for (int e = first + item; e < end; e += items) {
@@ -238,11 +234,10 @@ static void c2d_batch_order_tile(int tile, int item, int items, __global const i
             }
         }
         done = *sorted;
-        lowest = done < end ? *later : C2D_COLOUR_MOST + 1;
-        more = *again != 0;
+        lowest = *later;
         barrier(CLK_LOCAL_MEM_FENCE);
     }
-    if (item == 0 && tile >= 0) {
+    if (item == 0) {
         tileColours[tile] = colours;
     }
 }
@@ -251,8 +246,6 @@ static void c2d_batch_order_tile(int tile, int item, int items, __global const i
 __kernel void c2d_batch_order(__global const int *other, __global const int *byTile, __global const ushort *tint,
                               int capacity, __global int *batch, __global int2 *pairs, __global const int *tileStart,
                               __global int *tileColours, __global const uint *status, __local int *counts) {
-    if (status[C2D_STALLED] == 0u) {
-        c2d_batch_order_tile((int)get_group_id(0), (int)get_local_id(0), (int)get_local_size(0), other, byTile, tint,
-                             capacity, batch, pairs, tileStart, tileColours, counts, counts + C2D_COUNTS);
-    }
+    c2d_batch_order_tile((int)get_group_id(0), other, byTile, tint, capacity, batch, pairs, tileStart, tileColours,
+                         status[C2D_STALLED] != 0u, counts);
 }

@@ -9,7 +9,7 @@ import java.util.List;
 /** Host code of {@code kernels/batch.cl}: puts the contacts in the order in which they are solved. */
 final class Batch {
     /** Bytes of {@code counts}. */
-    private static final long COUNTS = 4 * (64 + 2 + 1);
+    static final long COUNTS = 4 * (64 + 2);
 
     private final Session session;
     private final Program program;

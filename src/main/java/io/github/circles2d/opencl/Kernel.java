@@ -26,8 +26,6 @@ final class Kernel implements AutoCloseable {
 
     private final Pointer toNumber = Pointer.to(number);
 
-    private Pointer vectorPointer;
-
     Kernel(Session session, Program program, String name) {
         this.session = session;
         this.name = name;
@@ -63,12 +61,10 @@ final class Kernel implements AutoCloseable {
         set(set + 1, Sizeof.cl_float, toNumber);
     }
 
-    /** Sets the one argument that comes after those of {@link #arguments}, a vector; always of the same array. */
-    void more(int[] vector) {
-        if (vectorPointer == null) {
-            vectorPointer = Pointer.to(vector);
-        }
-        set(set, (long) Sizeof.cl_int * vector.length, vectorPointer);
+    /** Sets the argument that comes after those of {@link #arguments}. Allocates nothing. */
+    void more(int value) {
+        number[0] = Float.intBitsToFloat(value);
+        set(set, Sizeof.cl_int, toNumber);
     }
 
     /** Work-items of a group. */

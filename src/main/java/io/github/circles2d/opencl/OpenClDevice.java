@@ -15,11 +15,6 @@ import org.jocl.cl_platform_id;
 
 /** One device of an OpenCL driver, with what the library needs to know of it. Immutable but for its self-check. */
 public final class OpenClDevice implements Device {
-    // of OpenCL 3.0, which JOCL does not name
-    private static final int DEVICE_ATOMIC_FENCE_CAPABILITIES = 0x1064;
-    private static final long ATOMIC_ORDER_ACQ_REL = 1 << 1;
-    private static final long ATOMIC_SCOPE_DEVICE = 1 << 5;
-
     private static final System.Logger LOG = System.getLogger("io.github.circles2d");
 
     final ClApi api;
@@ -33,9 +28,6 @@ public final class OpenClDevice implements Device {
 
     /** Divisions and roots are rounded correctly if the program asks for it. */
     final boolean correctlyRounded;
-
-    final int computeUnits;
-    final DeviceFence fence;
 
     private final String name;
     private final String platform;
@@ -58,10 +50,6 @@ public final class OpenClDevice implements Device {
         memory = number(CL.CL_DEVICE_GLOBAL_MEM_SIZE);
         maxWorkGroup = (int) Math.min(Integer.MAX_VALUE, number(CL.CL_DEVICE_MAX_WORK_GROUP_SIZE));
         partAlignment = (int) Math.max(16, (number(CL.CL_DEVICE_MEM_BASE_ADDR_ALIGN) & 0xFFFFFFFFL) / 8);
-        computeUnits = (int) (number(CL.CL_DEVICE_MAX_COMPUTE_UNITS) & 0xFFFFFFFFL);
-        fence = platform.contains("NVIDIA")
-                ? DeviceFence.PTX
-                : hasDeviceAtomics() ? DeviceFence.OPENCL : DeviceFence.NONE;
         correctlyRounded = (number(CL.CL_DEVICE_SINGLE_FP_CONFIG) & CL.CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     }
 
@@ -73,16 +61,6 @@ public final class OpenClDevice implements Device {
 
     private String platformText(int what) {
         return OpenClDevices.text("clGetPlatformInfo", (n, p, m) -> api.getPlatformInfo(platformId, what, n, p, m));
-    }
-
-    private boolean hasDeviceAtomics() {
-        String version = OpenClDevices.text(
-                "clGetDeviceInfo", (n, p, m) -> api.getDeviceInfo(id, CL.CL_DEVICE_VERSION, n, p, m));
-        if (!version.startsWith("OpenCL 3.")) {
-            return false;
-        }
-        long wanted = ATOMIC_ORDER_ACQ_REL | ATOMIC_SCOPE_DEVICE;
-        return (number(DEVICE_ATOMIC_FENCE_CAPABILITIES) & wanted) == wanted;
     }
 
     /** A number of 64 bits or of the size of a pointer; every such number here is 8 bytes on a 64-bit machine. */

@@ -16,9 +16,6 @@ import org.jocl.Pointer;
 
 /** The stages of one world of small steps on an OpenCL device. Calls queue up, in order. */
 final class OpenClSmallStages implements SmallStages {
-    /** What the kernels can tell apart. */
-    private static final int LAUNCHES = (1 << 20) - 1;
-
     private final WorldConfig config;
     private final Session session;
     private final State state;
@@ -42,8 +39,6 @@ final class OpenClSmallStages implements SmallStages {
     private long queued;
 
     private long done;
-    /** Number of the last persistent launch. */
-    private int launches;
     /** Circles that have a place. */
     private int placed;
 
@@ -79,7 +74,7 @@ final class OpenClSmallStages implements SmallStages {
         program = SmallKernels.program(session, config, wanted);
         // kernels of the old program go with the session; a world crosses this line once
         for (int k = 0; k < kernels.length; k++) {
-            kernels[k] = new SmallKernels(session, program, tables, SmallKernels.persists(session.device, config));
+            kernels[k] = new SmallKernels(session, program, tables);
         }
         load = new Kernel(session, program, "c2d_load");
         rescale = new Kernel(session, program, "c2d_rescale");
@@ -152,10 +147,17 @@ final class OpenClSmallStages implements SmallStages {
         if (!now.bound) {
             bind(index);
         }
-        now.grid.run();
-        now.find.run(horizon, fall);
-        now.match.run();
-        now.batch.run();
+        if (now.isAlone) {
+            now.alone.grid();
+            now.find.run(horizon, fall);
+            now.match.run();
+            now.alone.batch();
+        } else {
+            now.grid.run();
+            now.find.run(horizon, fall);
+            now.match.run();
+            now.batch.run();
+        }
         queued++;
     }
 
@@ -166,27 +168,6 @@ final class OpenClSmallStages implements SmallStages {
                 new SmallWorld(config, state, buffers, now, before, levels, tiles, group, tileGroup, oneGroup));
     }
 
-    /** The same in one launch, where that is faster. */
-    @Override
-    public void advance(boolean moves, float horizon, float fall, int count, boolean last) {
-        int index = (int) (queued & 1);
-        SmallKernels now = kernels[index];
-        if (now.persistent == null || state.circles > Tuning.PERSISTENT_CIRCLES) {
-            SmallStages.super.advance(moves, horizon, fall, count, last);
-            return;
-        }
-        if (!now.bound) {
-            bind(index);
-        }
-        launches = launches + 1 & LAUNCHES;
-        now.persistent.run(launches, moves, horizon, fall, count, last);
-        queued++;
-        if (last) {
-            state.changes();
-            session.flush();
-        }
-    }
-
     @Override
     public void integrate() {
         kernels[lastIndex()].integrate.run(true, false);
@@ -195,7 +176,11 @@ final class OpenClSmallStages implements SmallStages {
     @Override
     public void solve(int count) {
         SmallKernels now = kernels[lastIndex()];
-        now.solve.run(count, now.integrate);
+        if (now.isAlone) {
+            now.alone.solve(count);
+        } else {
+            now.solve.run(count, now.integrate);
+        }
     }
 
     @Override

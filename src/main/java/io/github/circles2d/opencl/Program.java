@@ -6,13 +6,13 @@ import io.github.circles2d.pipeline.KernelSources;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import org.jocl.CL;
 import org.jocl.cl_program;
 
 /** A program made from kernel files: owns its {@code cl_program}. */
 final class Program implements AutoCloseable {
-    private static final String STANDARD = "-cl-std=CL1.2";
-    private static final String STANDARD_WITH_ATOMICS = "-cl-std=CL3.0";
+    private static final String OPTIONS = "-cl-std=CL1.2";
     private static final String ROUNDED = " -cl-fp32-correctly-rounded-divide-sqrt";
 
     private final Session session;
@@ -34,8 +34,13 @@ final class Program implements AutoCloseable {
     static Program build(Session session, Map<String, Integer> defines, List<Map.Entry<String, String>> sources) {
         List<String> parts = new ArrayList<>();
         StringBuilder head = new StringBuilder();
-        defines.forEach((name, value) ->
-                head.append("#define ").append(name).append(' ').append(value).append('\n'));
+        // in one order, by which a driver that keeps what it has compiled knows it again
+        new TreeMap<>(defines)
+                .forEach((name, value) -> head.append("#define ")
+                        .append(name)
+                        .append(' ')
+                        .append(value)
+                        .append('\n'));
         parts.add(head.toString());
         sources.forEach(source -> parts.add("#line 1 \"" + source.getKey() + "\"\n" + source.getValue() + "\n"));
         int[] status = new int[1];
@@ -43,7 +48,7 @@ final class Program implements AutoCloseable {
         Cl.check("clCreateProgramWithSource", status[0]);
         Program program = new Program(session, created);
         try {
-            program.build(defines.getOrDefault("C2D_PERSISTENT", 0) == DeviceFence.OPENCL.define());
+            program.build();
         } catch (RuntimeException e) {
             program.close();
             throw e;
@@ -56,11 +61,10 @@ final class Program implements AutoCloseable {
         return Map.entry(name, KernelSources.read(name));
     }
 
-    private void build(boolean atomics) {
+    private void build() {
         OpenClDevice device = session.device;
-        String options = (atomics ? STANDARD_WITH_ATOMICS : STANDARD)
-                + (device.correctlyRounded ? ROUNDED : "")
-                + System.getProperty("circles2d.buildOptions", "");
+        String options =
+                OPTIONS + (device.correctlyRounded ? ROUNDED : "") + System.getProperty("circles2d.buildOptions", "");
         int status = session.api.buildProgram(program, device.id, options);
         SignalCanary.handBack();
         if (status == CL.CL_BUILD_PROGRAM_FAILURE) {

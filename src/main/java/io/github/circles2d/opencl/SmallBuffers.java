@@ -27,9 +27,6 @@ final class SmallBuffers {
     final DeviceBuffer tileStart;
     final DeviceBuffer tileColours;
     final DeviceBuffer rule;
-    /** Zeros at first: no launch has number 0. */
-    final DeviceBuffer meeting;
-
     final Turn[] turns = new Turn[2];
 
     private int capacity;
@@ -46,9 +43,6 @@ final class SmallBuffers {
         tileColours = new DeviceBuffer(session, "tileColours");
         rule = new DeviceBuffer(session, "rule");
         rule.ensure(4L * Substeps.NUMBERS);
-        meeting = new DeviceBuffer(session, "meeting");
-        meeting.ensure(8);
-        meeting.fill(8, memory -> {});
         turns[0] = new Turn(session);
         turns[1] = new Turn(session);
     }
@@ -62,8 +56,7 @@ final class SmallBuffers {
         tileColours.ensure(4L * tiles.tiles);
         bucketStart.ensure(4L * (now.cells + 1));
         // one sum for each group, and a group may be of one work-item
-        long sums = Math.max(Math.max(now.cells, tiles.parts()), room) / Tuning.SCAN + 1;
-        partSums.ensure(4 * Math.max(sums, Tuning.PERSISTENT_MOST_GROUPS));
+        partSums.ensure(4L * (Math.max(Math.max(now.cells, tiles.parts()), room) / Tuning.SCAN + 1));
         for (Turn turn : turns) {
             turn.growCircles(room);
         }

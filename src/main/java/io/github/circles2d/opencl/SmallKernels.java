@@ -14,27 +14,21 @@ final class SmallKernels {
     final Batch batch;
     final Integrate integrate;
     final Solve solve;
-    /** Null where the device cannot. */
-    final Persistent persistent;
+    final Alone alone;
 
+    /** Whether {@link #alone} does most of it. */
+    boolean isAlone;
     /** Whether the arguments are those of the buffers as they are now. */
     boolean bound;
 
-    SmallKernels(Session session, Program program, PairTables tables, boolean persists) {
+    SmallKernels(Session session, Program program, PairTables tables) {
         grid = new Grid(session, program);
         find = new Find(session, program, tables);
         match = new Match(session, program);
         batch = new Batch(session, program);
         integrate = new Integrate(session, program);
         solve = new Solve(session, program);
-        persistent = persists ? new Persistent(session, program) : null;
-    }
-
-    /** Whether a world may use {@link Persistent}. */
-    static boolean persists(OpenClDevice device, WorldConfig config) {
-        boolean suits = device.isGpu() && device.fence != DeviceFence.NONE;
-        return !config.strategy().pairwise()
-                && (config.smallWorld() == WorldConfig.PERSISTENT || suits && config.smallWorld() > 0);
+        alone = new Alone(session, program);
     }
 
     /** Compiles the kernels for pair indices of 32 or 64 bits. */
@@ -58,19 +52,14 @@ final class SmallKernels {
                 "integrate",
                 "visit",
                 "solve",
-                "persistent",
+                "alone",
                 "stats",
                 "stats_lists")) {
             sources.add(Program.file(file + ".cl"));
         }
         return Program.build(
                 session,
-                Map.of(
-                        "C2D_WIDE", wide ? 1 : 0,
-                        "C2D_PAIRWISE", pairwise ? 1 : 0,
-                        "C2D_PERSISTENT", persists(session.device, config) ? session.device.fence.define() : 0,
-                        "C2D_SCAN", Tuning.SCAN,
-                        "C2D_TEAM", Tuning.GPU_TILE_GROUP),
+                Map.of("C2D_WIDE", wide ? 1 : 0, "C2D_PAIRWISE", pairwise ? 1 : 0, "C2D_SCAN", Tuning.SCAN),
                 sources);
     }
 
@@ -81,9 +70,8 @@ final class SmallKernels {
         batch.bind(world);
         integrate.bind(world);
         solve.bind(world);
-        if (persistent != null) {
-            persistent.bind(world);
-        }
+        alone.bind(world);
+        isAlone = world.alone();
         bound = true;
     }
 }

@@ -35,14 +35,12 @@ record SmallWorld(
         return config.smallWorld() > 0 && circles() <= Tuning.FEW_CIRCLES;
     }
 
-    /** Groups that wait for each other: one on each unit, so that they can all run at once, or one alone. */
-    int persistentGroups() {
-        OpenClDevice device = state.device();
-        return device.fence == DeviceFence.NONE ? 1 : Math.min(device.computeUnits, Tuning.PERSISTENT_MOST_GROUPS);
-    }
-
-    int persistentGroup() {
-        return config.workGroup() > 0 ? config.workGroup() : Tuning.PERSISTENT_WORK_GROUP;
+    /**
+     * Whether the world is so small that one work-group does it. On a CPU, that would be one of its cores; a size of groups that
+     * is asked for has it done all the same.
+     */
+    boolean alone() {
+        return circles() <= config.smallWorld() && (state.onGpu() || config.workGroup() > 0);
     }
 
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */

@@ -49,14 +49,14 @@ public final class SmallPipeline implements Stepper {
     /** The substeps from {@code first} on, which begins with a detection. */
     private void run(int first) {
         for (int s = first; s < substeps.count(); s += perDetection) {
+            if (s > first) {
+                stages.integrate();
+            }
             int listed = Math.min(perDetection, substeps.count() - s);
-            stages.advance(
-                    s > first,
-                    listed * substeps.seconds(),
-                    substeps.fall(config, listed),
-                    listed,
-                    s + listed == substeps.count());
+            stages.detect(listed * substeps.seconds(), substeps.fall(config, listed));
+            stages.solve(listed);
         }
+        stages.publish();
     }
 
     @Override

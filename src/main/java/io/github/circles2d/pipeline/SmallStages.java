@@ -36,21 +36,6 @@ public interface SmallStages extends DeviceState {
     /** The end of a substep, walls and motion, before a detection. */
     void integrate();
 
-    /**
-     * A detection and the substeps that it serves: {@link #integrate} if {@code moves}, {@link #detect}, {@link #solve}, and
-     * {@link #publish} if {@code last}.
-     */
-    default void advance(boolean moves, float horizon, float fall, int substeps, boolean last) {
-        if (moves) {
-            integrate();
-        }
-        detect(horizon, fall);
-        solve(substeps);
-        if (last) {
-            publish();
-        }
-    }
-
     /** Ends a step: the end of its last substep; makes its circles known to {@link #download}, its highest speed to {@link #fastest}. */
     void publish();
 

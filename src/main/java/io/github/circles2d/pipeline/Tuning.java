@@ -225,17 +225,6 @@ public final class Tuning {
 
     public static final int TILES_FEW = 64;
 
-    /**
-     * Circles up to which a detection and its substeps are one launch, on a GPU that can: a launch takes some 6 us of the
-     * processor. 0 (never) to some 10^5.
-     */
-    public static final int PERSISTENT_CIRCLES = Integer.getInteger("persist", 200_000);
-
-    /** Work-items of a group of such a launch, and most groups: kernels/persistent.cl counts to 2,047. 64 to 1,024. */
-    public static final int PERSISTENT_WORK_GROUP = Integer.getInteger("pg", 256);
-
-    public static final int PERSISTENT_MOST_GROUPS = 1024;
-
     /** Values up to which one work-group scans them all. 0 (never) to 10^5. */
     public static final int SCAN_FEW = 20_000;
 

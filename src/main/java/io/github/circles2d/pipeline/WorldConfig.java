@@ -29,8 +29,6 @@ public record WorldConfig(
         long pairsPerSlice,
         int smallWorld,
         int substeps) {
-    /** A {@link #smallWorld} that has small steps of few circles in one launch on every device, if only by one work-group. */
-    public static final int PERSISTENT = Integer.MAX_VALUE;
 
     /** Whether translation vectors go to the triangle: only detect by pairs has one. */
     public boolean triangle() {
