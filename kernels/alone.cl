@@ -67,7 +67,7 @@ __kernel void c2d_alone_solve(C2D_SOLVE, int circles, int tiles, int substeps) {
     const int count = status[C2D_STALLED] != 0u ? 0 : circles;
     for (int substep = 0; substep < substeps; substep++) {
         for (int i = (int)get_local_id(0); i < count; i += (int)get_local_size(0)) {
-            c2d_integrate_circle(i, substep > 0, true, body, id, kicked, walls, rule);
+            body[i] = c2d_integrated(i, substep > 0, true, body, id, kicked, walls, rule);
         }
         barrier(CLK_GLOBAL_MEM_FENCE);
         for (int tile = 0; tile < tiles; tile++) {

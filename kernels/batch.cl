@@ -23,7 +23,8 @@ static int c2d_tile(int2 cell, int8 tiling) {
     return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
 }
 
-// The contacts of a tile, and its circles, are counted in so many parts: counting into one place takes turns.
+// The contacts of a tile, and its circles, are counted in so many parts, by rows of cells: counting into one place takes turns,
+// and what is of one row lies together in memory.
 #define C2D_PARTS 8
 
 // Contact k, at one of the parts of its tile; or, where all tiles of a tiling are done as one, of its tiling.
@@ -39,7 +40,7 @@ static void c2d_batch_count_at(int k, bool asOne, __global const float8 *body, i
         tiling++;
         tile = c2d_tile(a, tilings[tiling]);
     }
-    const int part = C2D_PARTS * (asOne ? tiling : tile) + k % C2D_PARTS;
+    const int part = C2D_PARTS * (asOne ? tiling : tile) + a.y % C2D_PARTS;
     batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
     batch[2 * capacity + k] = part;
 }
@@ -47,7 +48,8 @@ static void c2d_batch_count_at(int k, bool asOne, __global const float8 *body, i
 // The part of the circle at place p: circles are counted after the contacts of all `tiles`, by tiles of the first tiling.
 static int c2d_batch_part(int p, __global const float8 *body, int8 all, __global const int8 *tilings,
                           __global const float *rule, int tiles) {
-    return C2D_PARTS * (tiles + c2d_tile(c2d_finest_cell(body[p].s01, all, rule), tilings[0])) + p % C2D_PARTS;
+    const int2 cell = c2d_finest_cell(body[p].s01, all, rule);
+    return C2D_PARTS * (tiles + c2d_tile(cell, tilings[0])) + cell.y % C2D_PARTS;
 }
 
 // One work-item a contact, going round where they are more. Circles are counted where tiles are told which are theirs: `fused`.
@@ -105,28 +107,42 @@ __kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *l
 #define C2D_BATCH_COLOUR_HERE                                                                                          \
     listStart, other, bucketStart, levels, status, capacity, batch, mask, beyond, tint, others
 
+// Contacts that are read ahead.
+#define C2D_AHEAD 4
+
 static void c2d_batch_colour_list(int i, int k, int end, C2D_BATCH_COLOUR) {
     ulong own = mask[i];
-    for (; k < end; k++) {
-        const int j = other[k];
-        const ulong there = mask[j];
-        const ulong usable = batch[2 * capacity + k] < others ? C2D_FIRST_COLOURS : ~C2D_FIRST_COLOURS;
-        const ulong free = ~(own | there) & usable;
-        const ulong lowest = free & (0ul - free);
-        int colour = C2D_COLOURS - 1 - (int)clz(lowest);
-        if (free != 0ul) {
-            own |= lowest;
-            mask[j] = there | lowest;
-        } else {
-            const int next = max(beyond[i], beyond[j]) + 1;
-            beyond[i] = next;
-            beyond[j] = next;
-            colour = C2D_COLOURS - 1 + next;
-            if (colour > C2D_COLOUR_MOST) {
-                status[C2D_STALLED] = C2D_TOO_DENSE;
+    for (; k < end; k += C2D_AHEAD) {
+        // the circles of a list are different ones, so that their masks can be read ahead
+        int j[C2D_AHEAD];
+        ulong there[C2D_AHEAD];
+        ulong usable[C2D_AHEAD];
+        for (int c = 0; c < C2D_AHEAD; c++) {
+            const int at = min(k + c, end - 1);
+            j[c] = other[at];
+            there[c] = mask[j[c]];
+            usable[c] = batch[2 * capacity + at] < others ? C2D_FIRST_COLOURS : ~C2D_FIRST_COLOURS;
+        }
+        for (int c = 0; c < C2D_AHEAD; c++) {
+            if (k + c < end) {
+                const ulong free = ~(own | there[c]) & usable[c];
+                const ulong lowest = free & (0ul - free);
+                int colour = C2D_COLOURS - 1 - (int)clz(lowest);
+                if (free != 0ul) {
+                    own |= lowest;
+                    mask[j[c]] = there[c] | lowest;
+                } else {
+                    const int next = max(beyond[i], beyond[j[c]]) + 1;
+                    beyond[i] = next;
+                    beyond[j[c]] = next;
+                    colour = C2D_COLOURS - 1 + next;
+                    if (colour > C2D_COLOUR_MOST) {
+                        status[C2D_STALLED] = C2D_TOO_DENSE;
+                    }
+                }
+                tint[k + c] = (ushort)colour;
             }
         }
-        tint[k] = (ushort)colour;
     }
     mask[i] = own;
 }

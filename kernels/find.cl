@@ -61,14 +61,38 @@ __kernel void c2d_find_fill(C2D_FIND, __global const int2 *table, ulong first, u
                   fall, true);
 }
 #else
+// Of each circle the first so many pairs that it counts are kept, so that it need not look for them again: in `kept`, where the
+// circles were before they were sorted, the other circle, or its complement where that one is smaller and lists the pair; how
+// many there were is at the start of `filled`.
+#define C2D_KEPT 8
+
+// Puts circle j into the list of circle i, which fills up from its `end`; returns what is still free.
+static int c2d_find_put(int i, int j, int free, int end, bool folded, __global int *other, __global int2 *found) {
+    int at = free - 1;
+    found[at] = (int2)(j, i);
+    // only a folded level is not in order yet
+    for (; folded && at + 1 < end && other[at + 1] < j; at++) {
+        other[at] = other[at + 1];
+    }
+    other[at] = j;
+    return free - 1;
+}
+
+static void c2d_find_put_smaller(int i, int j, int circles, __global const int *listStart, __global int *filled,
+                                 __global int2 *found) {
+    found[listStart[j] + atomic_inc(&filled[circles + j])] = (int2)(i, j);
+}
+
 // Circle i looks into half of the cells around its own, and into all of those of wider levels: from the last to the first,
-// so that its own list fills up from its end. Returns how many of its level it found.
-static int c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, float horizon, float fall, bool fill) {
+// so that its own list fills up from its end.
+static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall,
+                            bool fill) {
     const float8 own = body[i];
     const int4 ownCell = c2d_cell(own, levels, rule);
     const int levelCount = levels[0].C2D_LEVELS;
     const int end = fill ? listStart[i + 1] : 0;
     int free = end;
+    int pairs = 0;
     for (int number = ownCell.z; number < levelCount; number++) {
         const int8 level = levels[1 + number];
         const bool same = number == ownCell.z;
@@ -96,45 +120,72 @@ static int c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, flo
                             continue;
                         }
                     }
-                    if (!same) {
-                        if (fill) {
-                            found[listStart[j] + atomic_inc(&filled[circles + j])] = (int2)(i, j);
+                    if (fill) {
+                        if (same) {
+                            free = c2d_find_put(i, j, free, end, folded, other, found);
                         } else {
-                            atomic_inc(&listStart[j + 1]);
+                            c2d_find_put_smaller(i, j, circles, listStart, filled, found);
                         }
                         continue;
                     }
-                    free--;
-                    if (fill) {
-                        found[free] = (int2)(j, i);
-                        int at = free;
-                        // only a folded level is not in order yet
-                        for (; folded && at + 1 < end && other[at + 1] < j; at++) {
-                            other[at] = other[at + 1];
-                        }
-                        other[at] = j;
+                    if (same) {
+                        free++;
+                    } else {
+                        atomic_inc(&listStart[j + 1]);
                     }
+                    if (pairs < C2D_KEPT) {
+                        kept[pairs * circles + i] = same ? j : ~j;
+                    }
+                    pairs++;
                 }
             }
         }
     }
-    return end - free;
-}
-
-__kernel void c2d_find_count(C2D_FIND, __global const int *bucketStart, float horizon, float fall) {
-    const int i = (int)get_global_id(0);
-    if (i < circles && status[C2D_STALLED] == 0u) {
-        const int count = c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found,
-                                          bucketStart, horizon, fall, false);
-        atomic_add(&listStart[i + 1], count);
+    if (!fill) {
+        filled[i] = pairs;
+        atomic_add(&listStart[i + 1], free);
     }
 }
 
-__kernel void c2d_find_fill(C2D_FIND, __global const int *bucketStart, float horizon, float fall) {
+__kernel void c2d_find_count(C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall) {
     const int i = (int)get_global_id(0);
     if (i < circles && status[C2D_STALLED] == 0u) {
-        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, horizon,
-                        fall, true);
+        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, kept,
+                        horizon, fall, false);
+    }
+}
+
+__kernel void c2d_find_fill(C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall) {
+    const int i = (int)get_global_id(0);
+    if (i >= circles || status[C2D_STALLED] != 0u) {
+        return;
+    }
+    const int pairs = filled[i];
+    if (pairs > C2D_KEPT) {
+        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, kept,
+                        horizon, fall, true);
+        return;
+    }
+    const bool folded = pairs > 0 && c2d_is_folded(levels[1 + c2d_cell(body[i], levels, rule).z]);
+    const int end = listStart[i + 1];
+    int free = end;
+    for (int k = 0; k < pairs; k++) {
+        const int j = kept[k * circles + i];
+        if (j >= 0) {
+            free = c2d_find_put(i, j, free, end, folded, other, found);
+        } else {
+            c2d_find_put_smaller(i, ~j, circles, listStart, filled, found);
+        }
     }
 }
 #endif
+
+// After a detection that stalled, where there were more pairs than room: puts the circles back to where they were before it,
+// for what is kept has taken their place.
+__kernel void c2d_find_restore(__global const float8 *body, __global const int *from, int circles,
+                               __global float8 *bodyBefore) {
+    const int p = (int)get_global_id(0);
+    if (p < circles) {
+        bodyBefore[from[p]] = body[p];
+    }
+}

@@ -93,7 +93,7 @@ static c2d_axis c2d_small_kick(c2d_axis a, int axis, float slowed, __global cons
     __global float8 *body, __global const int *id, __global float2 *kicked, __global float2 *walls,                      \
         __global const float *rule
 
-static void c2d_integrate_circle(int i, bool move, bool kick, C2D_CIRCLES) {
+static float8 c2d_integrated(int i, bool move, bool kick, C2D_CIRCLES) {
     const float8 b = body[i];
     c2d_axis x = {b.s0, b.s2, b.s4};
     c2d_axis y = {b.s1, b.s3, b.s5};
@@ -110,14 +110,14 @@ static void c2d_integrate_circle(int i, bool move, bool kick, C2D_CIRCLES) {
         x = c2d_small_kick(x, 0, slowed, rule);
         y = c2d_small_kick(y, 1, slowed, rule);
     }
-    body[i] = (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
+    return (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
 }
 
 // The end of a substep, the start of one, or both.
 __kernel void c2d_integrate(C2D_CIRCLES, __global const uint *status, int circles, int move, int kick) {
     const int i = (int)get_global_id(0);
     if (i < circles && status[C2D_STALLED] == 0u) {
-        c2d_integrate_circle(i, move, kick, body, id, kicked, walls, rule);
+        body[i] = c2d_integrated(i, move, kick, body, id, kicked, walls, rule);
     }
 }
 
@@ -143,8 +143,8 @@ __kernel void c2d_load(__global const float4 *circle, __global const float2 *vel
 // The end of a step: that of its last substep, then the circle by number. Returns its speed, in radii a second, as bits:
 // positive floats compare as their bits do.
 static uint c2d_publish_circle(int i, C2D_CIRCLES, __global float4 *circle, __global float2 *velocities) {
-    c2d_integrate_circle(i, true, false, body, id, kicked, walls, rule);
-    const float8 b = body[i];
+    const float8 b = c2d_integrated(i, true, false, body, id, kicked, walls, rule);
+    body[i] = b;
     const int to = id[i];
     circle[to].xy = b.s01;
     velocities[to] = b.s23;

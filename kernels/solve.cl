@@ -36,15 +36,15 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
 // A tiling, one work-group a tile.
 __kernel void c2d_solve(C2D_SOLVE, int firstTile) { c2d_solve_tile(firstTile + (int)get_group_id(0), C2D_SOLVE_HERE); }
 
-// The first tiling where circles are few and a launch counts: it begins with the circles' own share. `moves`: a substep comes
-// before this one. `members`: the circles of each tile, which are counted after all `tiles` of contacts.
+// The first tiling, which begins with the circles' own share. `moves`: a substep comes before this one. `members`: the circles
+// of each tile, which are counted after all `tiles` of contacts.
 __kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, int tiles, int moves) {
     const int tile = (int)get_group_id(0);
     const int contacts = tileStart[C2D_PARTS * tiles];
     const int end = tileStart[C2D_PARTS * (tiles + tile + 1)] - contacts;
     int m = tileStart[C2D_PARTS * (tiles + tile)] - contacts + (int)get_local_id(0);
     for (; m < (status[C2D_STALLED] != 0u ? 0 : end); m += (int)get_local_size(0)) {
-        c2d_integrate_circle(members[m], moves, true, body, id, kicked, walls, rule);
+        body[members[m]] = c2d_integrated(members[m], moves, true, body, id, kicked, walls, rule);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_solve_tile(tile, C2D_SOLVE_HERE);

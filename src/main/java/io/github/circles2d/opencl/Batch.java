@@ -39,13 +39,13 @@ final class Batch {
         DeviceBuffer status = world.state().status;
         int capacity = buffers.capacity();
         Tiles tiles = world.tiles();
-        int fused = world.few() ? 1 : 0;
+        int fused = world.fused() ? 1 : 0;
         Object[] known = {
             now.body, buffers.levels, buffers.tilings, buffers.rule, status, world.circles(), now.listStart
         };
         count.arguments(known, now.other, capacity, tiles.tiles, fused, free.body, buffers.tileStart, buffers.from)
                 .range(world.contacts(), world.group());
-        scan.bind(world, buffers.tileStart, (world.few() ? tiles.parts() : Tiles.PARTS * tiles.tiles) + 1, -1);
+        scan.bind(world, buffers.tileStart, (world.fused() ? tiles.parts() : Tiles.PARTS * tiles.tiles) + 1, -1);
         fill.arguments(
                         known,
                         capacity,

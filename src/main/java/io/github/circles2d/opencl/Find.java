@@ -45,7 +45,9 @@ final class Find {
     private void bind(SmallWorld world, List<Kernel> kernels, String name, Object[] known) {
         if (tables == null) {
             grow(kernels, name, 1);
-            kernels.get(0).arguments(known, world.buffers().bucketStart).range(world.circles(), world.group());
+            kernels.get(0)
+                    .arguments(known, world.buffers().bucketStart, world.before().body)
+                    .range(world.circles(), world.group());
             return;
         }
         List<PairTables.Slice> slices = tables.slices(world.circles());

@@ -25,6 +25,8 @@ final class Kernel implements AutoCloseable {
     private final float[] number = new float[1];
 
     private final Pointer toNumber = Pointer.to(number);
+    private final int[] whole = new int[1];
+    private final Pointer toWhole = Pointer.to(whole);
 
     Kernel(Session session, Program program, String name) {
         this.session = session;
@@ -63,8 +65,8 @@ final class Kernel implements AutoCloseable {
 
     /** Sets the argument that comes after those of {@link #arguments}. Allocates nothing. */
     void more(int value) {
-        number[0] = Float.intBitsToFloat(value);
-        set(set, Sizeof.cl_int, toNumber);
+        whole[0] = value;
+        set(set, Sizeof.cl_int, toWhole);
     }
 
     /** Work-items of a group. */

@@ -31,6 +31,7 @@ final class OpenClSmallStages implements SmallStages {
     private Program program;
     private Kernel load;
     private Kernel rescale;
+    private Kernel restore;
     private Stats stats;
     private Levels levels;
     private Tiles tiles;
@@ -78,6 +79,7 @@ final class OpenClSmallStages implements SmallStages {
         }
         load = new Kernel(session, program, "c2d_load");
         rescale = new Kernel(session, program, "c2d_rescale");
+        restore = new Kernel(session, program, "c2d_find_restore");
         stats = new Stats(session, program, config, group);
         wide = wanted;
         if (old != null) {
@@ -204,6 +206,11 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void makeRoom(long needed) {
+        Turn stalled = buffers.turns[(int) (done & 1)];
+        Turn before = buffers.turns[(int) (done + 1 & 1)];
+        restore.arguments(stalled.body, buffers.from, state.circles, before.body)
+                .range(state.circles, group)
+                .launch();
         buffers.ensureContacts(Math.max(needed, (long) Math.min(SmallBuffers.MOST_CONTACTS, needed * Tuning.GROWTH)));
         state.clearStatus();
         unbind();

@@ -59,7 +59,10 @@ final class SmallKernels {
         }
         return Program.build(
                 session,
-                Map.of("C2D_WIDE", wide ? 1 : 0, "C2D_PAIRWISE", pairwise ? 1 : 0, "C2D_SCAN", Tuning.SCAN),
+                Map.of(
+                        "C2D_WIDE", wide ? 1 : 0,
+                        "C2D_PAIRWISE", pairwise ? 1 : 0,
+                        "C2D_SCAN", Tuning.SCAN),
                 sources);
     }
 

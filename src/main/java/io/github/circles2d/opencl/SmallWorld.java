@@ -40,7 +40,13 @@ record SmallWorld(
      * is asked for has it done all the same.
      */
     boolean alone() {
-        return circles() <= config.smallWorld() && (state.onGpu() || config.workGroup() > 0);
+        return circles() <= Math.min(config.smallWorld(), Tuning.ALONE_CIRCLES)
+                && (state.onGpu() || config.workGroup() > 0);
+    }
+
+    /** Whether the first tiling begins with the circles' own share; where none is small, circles have launches of their own. */
+    boolean fused() {
+        return config.smallWorld() > 0;
     }
 
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */

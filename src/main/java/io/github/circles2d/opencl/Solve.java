@@ -42,7 +42,7 @@ final class Solve {
             buffers.tileColours,
             world.state().status
         };
-        fused = world.few();
+        fused = world.fused();
         moveAndFirst.arguments(known, free.id, tiles.tiles, 1).groups(tiles.count(0), world.tileGroup());
         kickAndFirst.arguments(known, free.id, tiles.tiles, 0).groups(tiles.count(0), world.tileGroup());
         count = tiles.tilings;

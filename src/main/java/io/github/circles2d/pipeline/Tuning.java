@@ -86,7 +86,7 @@ public final class Tuning {
     public static final int CPU_WORK_GROUP = 256;
 
     /** Circles up to which launches are saved at the price of larger kernels. 0 (never) to 10^6. */
-    public static final int FEW_CIRCLES = 200_000;
+    public static final int FEW_CIRCLES = Integer.getInteger("few", 200_000);
 
     /** Buckets of one colour up to which the levels from there on are coloured by one work-group. 0 (never) to 4,096. */
     public static final int NARROW = 1024;
@@ -95,7 +95,7 @@ public final class Tuning {
     public static final int COLOUR_WORK_GROUP = 64;
 
     /** Work-items of a group that does a tile, about as many as it has contacts of one colour, on a GPU. 32 to 256. */
-    public static final int GPU_TILE_GROUP = 64;
+    public static final int GPU_TILE_GROUP = Integer.getInteger("tg", 64);
 
     /** The same on a CPU. */
     public static final int CPU_TILE_GROUP = 1;
@@ -224,6 +224,9 @@ public final class Tuning {
     public static final int CIRCLES_PER_TILE = 16;
 
     public static final int TILES_FEW = 64;
+
+    /** Circles up to which one work-group does most of a detection and its substeps, on a GPU. 0 (never) to 10^4. */
+    public static final int ALONE_CIRCLES = Integer.getInteger("alone", 1280);
 
     /** Values up to which one work-group scans them all. 0 (never) to 10^5. */
     public static final int SCAN_FEW = 20_000;
