@@ -58,7 +58,8 @@ __kernel void c2d_alone_batch(C2D_BATCH_COLOUR, __global const float8 *body, __g
     c2d_batch_colour_levels(C2D_BATCH_COLOUR_HERE, 0, all.C2D_LEVELS, stalled);
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int tile = 0; tile < tiles; tile++) {
-        c2d_batch_order_tile(tile, other, byTile, tint, capacity, batchOut, pairs, tileStart, tileColours, stalled, sums);
+        c2d_batch_order_tile(tile, other, byTile, tint, capacity, batchOut, pairs, tileStart, tileColours, stalled,
+                             (int2)(0, 0), byTile, beyond, sums);
     }
 }
 

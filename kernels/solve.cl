@@ -36,14 +36,70 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
 // A tiling, one work-group a tile.
 __kernel void c2d_solve(C2D_SOLVE, int firstTile) { c2d_solve_tile(firstTile + (int)get_group_id(0), C2D_SOLVE_HERE); }
 
+// A tile that fits into local memory: `bodies` and `places` of its circles, what is `remembered` of its contacts and whether that
+// has changed. Each is read and written once, those of a row together, whatever the colours are.
+static void c2d_solve_local(int tile, int2 own, int moves, C2D_SOLVE, __global const int *members,
+                            __global const int *byTile, __local float8 *bodies, __local int *places,
+                            __local float2 *remembered, __local uchar *changed) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
+    const int first = tileStart[C2D_PARTS * tile];
+    const int contacts = tileStart[C2D_PARTS * (tile + 1)] - first;
+    const int colours = contacts > 0 ? tileColours[tile] : 0;
+    const c2d_numbers numbers = c2d_numbers_of(rule);
+    __global const int *colourStart = batch + 2 * capacity + first;
+    for (int c = item; c < contacts; c += items) {
+        remembered[c] = memory[byTile[first + c]];
+        changed[c] = 0;
+    }
+    for (int m = item; m < own.y - own.x; m += items) {
+        const int place = members[own.x + m];
+        places[m] = place;
+        bodies[m] = c2d_integrated(place, moves, true, body, id, kicked, walls, rule);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    for (int colour = 0; colour < colours; colour++) {
+        const int stop = colour + 1 < colours ? colourStart[colour + 1] : first + contacts;
+        for (int e = colourStart[colour] + item; e < stop; e += items) {
+            const int2 pair = pairs[e];
+            const int turnA = pair.x & ((1 << C2D_TURN_BITS) - 1);
+            const int turnB = pair.x >> C2D_TURN_BITS;
+            float8 a = bodies[turnA];
+            float8 b = bodies[turnB];
+            float2 now = remembered[pair.y];
+            if (c2d_visit(&a, &b, &now, places[turnA], places[turnB], id, kicked, numbers)) {
+                bodies[turnA] = a;
+                bodies[turnB] = b;
+                remembered[pair.y] = now;
+                changed[pair.y] = 1;
+            }
+        }
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+    for (int m = item; m < own.y - own.x; m += items) {
+        body[places[m]] = bodies[m];
+    }
+    for (int c = item; c < contacts; c += items) {
+        if (changed[c] != 0) {
+            memory[byTile[first + c]] = remembered[c];
+        }
+    }
+}
+
 // The first tiling, which begins with the circles' own share. `moves`: a substep comes before this one. `members`: the circles
-// of each tile, which are counted after all `tiles` of contacts.
-__kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, int tiles, int moves) {
+// of each tile.
+__kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, __global const int *byTile, int tiles, int moves,
+                              __local float8 *bodies, __local int *places, __local float2 *remembered,
+                              __local uchar *changed) {
     const int tile = (int)get_group_id(0);
-    const int contacts = tileStart[C2D_PARTS * tiles];
-    const int end = tileStart[C2D_PARTS * (tiles + tile + 1)] - contacts;
-    int m = tileStart[C2D_PARTS * (tiles + tile)] - contacts + (int)get_local_id(0);
-    for (; m < (status[C2D_STALLED] != 0u ? 0 : end); m += (int)get_local_size(0)) {
+    const bool stalled = status[C2D_STALLED] != 0u;
+    const int2 own = stalled ? (int2)(0, 0) : c2d_members(tile, tiles, tileStart);
+    const int contacts = stalled ? 0 : tileStart[C2D_PARTS * (tile + 1)] - tileStart[C2D_PARTS * tile];
+    if (c2d_fits(own.y - own.x, contacts)) {
+        c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, members, byTile, bodies, places, remembered, changed);
+        return;
+    }
+    for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {
         body[members[m]] = c2d_integrated(members[m], moves, true, body, id, kicked, walls, rule);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);

@@ -19,6 +19,7 @@ final class StageBytes {
     private final long contacts;
     private final boolean pairwise;
     private final boolean few;
+    private final boolean fused;
     private final long buckets;
     /** Buckets with circles in them. */
     private final long occupied;
@@ -43,7 +44,8 @@ final class StageBytes {
         this.contacts = contacts;
         this.colourings = colourings;
         pairwise = config.strategy().pairwise();
-        few = config.smallWorld() > 0 && circles <= Tuning.FEW_CIRCLES;
+        fused = config.smallWorld() > 0;
+        few = fused && circles <= Tuning.FEW_CIRCLES;
         Levels levels = Levels.of(config, Population.of(circle, circles));
         Tiles all = Tiles.of(levels);
         buckets = levels.cells;
@@ -51,7 +53,7 @@ final class StageBytes {
         tiles = all.tiles;
         tilings = all.tilings;
         parts = (long) Tiles.PARTS * all.tiles;
-        members = few ? all.parts() - parts : 0;
+        members = fused ? all.parts() - parts : 0;
     }
 
     private static int occupied(WorldConfig config, Levels levels, FloatBuffer circle, int circles) {
@@ -87,31 +89,34 @@ final class StageBytes {
             case "c2d_grid_scatter" -> (8 + 4) * n + 4 * occupied;
             // unsorted, bucket, bucketStart, body and id before; body, id, from, how far lists are filled, listStart
             case "c2d_grid_order" -> (4 + 4 + 32 + 4 + 32 + 4 + 4 + 4 + 4) * n + 4 * occupied;
-            // body, bucketStart; listStart read and written
-            case "c2d_find_count" -> pairwise ? 0 : (32 + 8) * n + 4 * occupied;
-            // body, bucketStart, listStart; found, other
-            case "c2d_find_fill" -> pairwise ? 0 : (32 + 4) * n + 4 * occupied + (8 + 4) * k;
+            // body, bucketStart; listStart read and written; how many are kept, and they
+            case "c2d_find_count" -> pairwise ? 0 : (32 + 8 + 4) * n + 4 * occupied + 4 * k;
+            // body, listStart, how many are kept; they; found, other
+            case "c2d_find_fill" -> pairwise ? 0 : (32 + 4 + 4) * n + (4 + 8 + 4) * k;
             // found; how far lists are filled, listStart
             case "c2d_match_order" -> 8 * k + (4 + 4) * n;
             // from, listStart before; found, other, other before, memory before; memory, batch
             case "c2d_match" -> (4 + 4) * n + (8 + 4 + 4 + 8 + 8 + 4) * k;
             // body, where circles are counted their turn; batch, other; turn and part; tileStart read and written
-            case "c2d_batch_count" -> (32 + (few ? 4 : 0)) * n + (4 + 4 + 8) * k + 8 * (parts + members);
+            case "c2d_batch_count" -> (32 + (fused ? 4 : 0)) * n + (4 + 4 + 8) * k + 8 * (parts + members);
             // masks, turns, where circles are counted body, turn and members; turn and part, byTile; tileStart
-            case "c2d_batch_fill" -> (8 + 4 + (few ? 32 + 4 + 4 : 0)) * n + (8 + 4) * k + 4 * (parts + members);
+            case "c2d_batch_fill" -> (8 + 4 + (fused ? 32 + 4 + 4 : 0)) * n + (8 + 4) * k + 4 * (parts + members);
             // bucketStart, listStart, masks read and written; other, part, tint; shared out among the launches
             case "c2d_batch_colour" -> colouring() / colourings;
             // the same, where no other kernel has a share
             case "c2d_batch_colour_few" -> colourings > 0 ? 0 : colouring();
             // byTile, tint, batch, other; pairs, index; tileStart, tileColours
             case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4) * k + 4 * parts + 4 * tiles;
-            // body read and written, kicked read and, for another substep, written, id, walls; a first without one
-            // before reads less
-            case "c2d_integrate" -> (64 + (few ? 8 : 16) + 4 + 16) * n;
+            // body read and written, kicked read and, for another substep, written
+            case "c2d_integrate" -> (64 + (fused ? 8 : 16)) * n;
+            // body read and written, kicked read and written, members; pairs, byTile, memory read and written, as if
+            // all
+            // contacts were of the first tiling
+            case "c2d_solve_first" -> (64 + 16 + 4) * n + (8 + 4 + 16) * k;
             // body read and written once a substep; pairs, index, memory read and written; tileStart; a tiling's share
-            case "c2d_solve" -> few ? 0 : (64 * n + (8 + 4 + 16) * k + 4 * parts) / (double) tilings;
-            // body read and written, kicked, id, walls; centre, velocity
-            case "c2d_publish" -> (64 + 8 + 4 + 16 + 8 + 8) * n;
+            case "c2d_solve" -> fused ? 0 : (64 * n + (8 + 4 + 16) * k + 4 * parts) / (double) tilings;
+            // body read and written, kicked, id; centre, velocity
+            case "c2d_publish" -> (64 + 8 + 4 + 8 + 8) * n;
             default -> 0;
         };
     }

@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import io.github.circles2d.demo.Scene;
+import io.github.circles2d.pipeline.Tuning;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.BeforeAll;
@@ -72,9 +73,25 @@ class SmallStepsSameBitsTest {
         }
     }
 
+    /** A world of more circles than that is none for one work-group, but has gravity and kicks in the first tiling. */
+    @ParameterizedTest
+    @ValueSource(strings = {"pile", "pebbles", "bullets"})
+    void oneHashForEveryWayToCutASubstep(String scene) {
+        long expected = hash(scene, ComputeDevice.host(), IndexStrategy.grid(), 0, 0);
+        for (int group : new int[] {1, 7, 64}) {
+            for (int small : new int[] {0, 1, 4096}) {
+                long actual = hash(scene, openCl, IndexStrategy.grid(), group, small);
+                assertEquals(expected, actual, "groups of " + group + ", small up to " + small);
+            }
+        }
+    }
+
     private static long hash(String scene, ComputeDevice device, IndexStrategy strategy, int group) {
         // with odd groups, every colour of every level is a launch
-        int small = group % 2 == 0 ? 4096 : 0;
+        return hash(scene, device, strategy, group, group % 2 == 0 ? 4096 : 0);
+    }
+
+    private static long hash(String scene, ComputeDevice device, IndexStrategy strategy, int group, int small) {
         Circles2D.Builder builder =
                 builder(device).workGroup(group).smallWorld(small).indexStrategy(strategy);
         try (Circles2D world = Scene.named(scene).build(builder, 300)) {
@@ -91,6 +108,18 @@ class SmallStepsSameBitsTest {
                 Circles2D other = Scene.PILE.build(device, 12_000)) {
             one.step(10);
             other.step(10);
+            assertEquals(one.stateHash(), other.stateHash());
+        }
+    }
+
+    /** Circles then reach farther, {@code Population.reach}. */
+    @Test
+    void aWorldOfManyCirclesHasTheSameBits() {
+        int many = Tuning.MANY + 1;
+        try (Circles2D one = Scene.PILE.build(builder(ComputeDevice.host()).substeps(4), many);
+                Circles2D other = Scene.PILE.build(builder(openCl).substeps(4), many)) {
+            one.step(3);
+            other.step(3);
             assertEquals(one.stateHash(), other.stateHash());
         }
     }

@@ -89,6 +89,11 @@ final class Batch {
                         buffers.tileStart,
                         buffers.tileColours,
                         status,
+                        tiles.first(1),
+                        tiles.tiles,
+                        fused,
+                        free.id,
+                        buffers.from,
                         new Kernel.Local(COUNTS))
                 .groups(tiles.tiles, world.tileGroup());
     }

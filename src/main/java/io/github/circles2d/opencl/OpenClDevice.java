@@ -126,6 +126,12 @@ public final class OpenClDevice implements Device {
         return config.workGroup() > 0 ? config.workGroup() : suits;
     }
 
+    /** The same for a group that does a tile of the first tiling. */
+    int firstTileGroup(WorldConfig config) {
+        int suits = isGpu() ? Tuning.GPU_FIRST_TILE_GROUP : Tuning.CPU_TILE_GROUP;
+        return config.workGroup() > 0 ? config.workGroup() : suits;
+    }
+
     /** The same for a launch of one group. */
     int oneGroup(WorldConfig config) {
         int suits = isGpu() ? Tuning.GPU_ONE_GROUP : Tuning.CPU_ONE_GROUP;

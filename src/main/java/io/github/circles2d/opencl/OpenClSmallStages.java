@@ -26,6 +26,7 @@ final class OpenClSmallStages implements SmallStages {
     private final Pointer toNumbers;
     private final int group;
     private final int tileGroup;
+    private final int firstTileGroup;
     private final int oneGroup;
     private Boolean wide;
     private Program program;
@@ -49,6 +50,7 @@ final class OpenClSmallStages implements SmallStages {
         this.config = config;
         group = device.group(config);
         tileGroup = device.tileGroup(config);
+        firstTileGroup = device.firstTileGroup(config);
         oneGroup = device.oneGroup(config);
         numbers = ByteBuffer.allocateDirect(4 * Substeps.NUMBERS)
                 .order(ByteOrder.nativeOrder())
@@ -166,8 +168,8 @@ final class OpenClSmallStages implements SmallStages {
     private void bind(int index) {
         Turn now = buffers.turns[index];
         Turn before = buffers.turns[1 - index];
-        kernels[index].bind(
-                new SmallWorld(config, state, buffers, now, before, levels, tiles, group, tileGroup, oneGroup));
+        kernels[index].bind(new SmallWorld(
+                config, state, buffers, now, before, levels, tiles, group, tileGroup, firstTileGroup, oneGroup));
     }
 
     @Override

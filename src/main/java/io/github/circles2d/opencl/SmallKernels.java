@@ -60,9 +60,16 @@ final class SmallKernels {
         return Program.build(
                 session,
                 Map.of(
-                        "C2D_WIDE", wide ? 1 : 0,
-                        "C2D_PAIRWISE", pairwise ? 1 : 0,
-                        "C2D_SCAN", Tuning.SCAN),
+                        "C2D_WIDE",
+                        wide ? 1 : 0,
+                        "C2D_PAIRWISE",
+                        pairwise ? 1 : 0,
+                        "C2D_SCAN",
+                        Tuning.SCAN,
+                        "C2D_TILE_CIRCLES",
+                        Tuning.TILE_CIRCLES,
+                        "C2D_TILE_CONTACTS",
+                        Tuning.TILE_CONTACTS),
                 sources);
     }
 

@@ -12,6 +12,7 @@ import io.github.circles2d.pipeline.WorldConfig;
  * @param before those of the detection before
  * @param group work-items of a group
  * @param tileGroup work-items of a group that does a tile
+ * @param firstTileGroup work-items of a group that does a tile of the first tiling
  * @param oneGroup work-items of a launch of one group
  */
 record SmallWorld(
@@ -24,6 +25,7 @@ record SmallWorld(
         Tiles tiles,
         int group,
         int tileGroup,
+        int firstTileGroup,
         int oneGroup) {
 
     int circles() {

@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Tiles;
+import io.github.circles2d.pipeline.Tuning;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -43,8 +44,18 @@ final class Solve {
             world.state().status
         };
         fused = world.fused();
-        moveAndFirst.arguments(known, free.id, tiles.tiles, 1).groups(tiles.count(0), world.tileGroup());
-        kickAndFirst.arguments(known, free.id, tiles.tiles, 0).groups(tiles.count(0), world.tileGroup());
+        Object[] local = {
+            new Kernel.Local(32 * Tuning.TILE_CIRCLES),
+            new Kernel.Local(4 * Tuning.TILE_CIRCLES),
+            new Kernel.Local(8 * Tuning.TILE_CONTACTS),
+            new Kernel.Local(Tuning.TILE_CONTACTS)
+        };
+        moveAndFirst
+                .arguments(known, free.id, free.other, tiles.tiles, 1, local)
+                .groups(tiles.count(0), world.firstTileGroup());
+        kickAndFirst
+                .arguments(known, free.id, free.other, tiles.tiles, 0, local)
+                .groups(tiles.count(0), world.firstTileGroup());
         count = tiles.tilings;
         for (int tiling = 0; tiling < count; tiling++) {
             if (tiling == tilings.size()) {

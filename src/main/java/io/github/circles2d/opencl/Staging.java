@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.CapacityException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
@@ -10,7 +9,7 @@ import org.jocl.cl_mem;
 
 /**
  * Memory of the host through which the state is read back. Where the driver can, it is pinned: a GPU then writes into it by
- * itself, while for other memory the driver copies piece by piece. Nobody outside may see it, for it is gone when
+ * itself, while for other memory the driver copies piece by piece. It is none of the device's memory. Nobody outside may see it, for it is gone when
  * the session is closed.
  */
 final class Staging implements AutoCloseable {
@@ -45,23 +44,16 @@ final class Staging implements AutoCloseable {
 
     /** Pinned memory, mapped for good, or null. */
     private ByteBuffer pin(int wanted) {
-        try {
-            session.book("staging", wanted);
-        } catch (CapacityException e) {
-            return without(e.getMessage());
-        }
         int[] status = new int[1];
         long flags = CL.CL_MEM_READ_WRITE | CL.CL_MEM_ALLOC_HOST_PTR;
         cl_mem created = session.api.createBuffer(session.context, flags, wanted, status);
         if (status[0] != CL.CL_SUCCESS) {
-            session.unbook(wanted);
             return without("clCreateBuffer gives " + CL.stringFor_errorCode(status[0]));
         }
         flags = CL.CL_MAP_READ | CL.CL_MAP_WRITE;
         ByteBuffer mapped = session.api.enqueueMapBuffer(session.queue, created, flags, wanted, status);
         if (status[0] != CL.CL_SUCCESS) {
             Cl.checkRelease("clReleaseMemObject(staging)", session.api.releaseMemObject(created));
-            session.unbook(wanted);
             return without("clEnqueueMapBuffer gives " + CL.stringFor_errorCode(status[0]));
         }
         memory = created;
@@ -94,7 +86,6 @@ final class Staging implements AutoCloseable {
     }
 
     private void release() {
-        int taken = bytes.capacity();
         ByteBuffer old = bytes;
         bytes = NONE;
         floats = null;
@@ -105,7 +96,6 @@ final class Staging implements AutoCloseable {
             Cl.checkRelease("clFinish", session.api.finish(session.queue));
             Cl.checkRelease("clReleaseMemObject(staging)", session.api.releaseMemObject(memory));
             memory = null;
-            session.unbook(taken);
         }
     }
 

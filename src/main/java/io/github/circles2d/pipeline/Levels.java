@@ -50,11 +50,13 @@ public final class Levels {
     /** Number of circles. */
     public final int circles;
 
+    private final float reach;
     private final float finest;
     private final float perUnit;
 
     private Levels(WorldConfig config, Population population) {
         circles = population.circles();
+        reach = population.reach();
         double width = (double) config.maxX() - config.minX();
         double height = (double) config.maxY() - config.minY();
         double least = Math.max(width, height) / Tuning.MAX_FINE_CELLS_PER_AXIS;
@@ -105,8 +107,8 @@ public final class Levels {
         return new Levels(config, population);
     }
 
-    private static float reach(float radius) {
-        return 2 * radius * (1 + Tuning.REACH);
+    private float reach(float radius) {
+        return 2 * radius * (1 + reach);
     }
 
     /** Level, counted in doublings, whose cells are as wide as the reach of a circle. */

@@ -45,6 +45,11 @@ public record Population(
         }
     }
 
+    /** How far the reach of a circle goes beyond its radius, radii: {@link Tuning#REACH}. */
+    public float reach() {
+        return circles > Tuning.MANY ? Tuning.REACH_OF_MANY : Tuning.REACH;
+    }
+
     /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_publish}. */
     public float fastest(FloatBuffer velocities) {
         float fastest = 0;

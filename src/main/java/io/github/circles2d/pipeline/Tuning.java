@@ -86,7 +86,7 @@ public final class Tuning {
     public static final int CPU_WORK_GROUP = 256;
 
     /** Circles up to which launches are saved at the price of larger kernels. 0 (never) to 10^6. */
-    public static final int FEW_CIRCLES = Integer.getInteger("few", 200_000);
+    public static final int FEW_CIRCLES = 200_000;
 
     /** Buckets of one colour up to which the levels from there on are coloured by one work-group. 0 (never) to 4,096. */
     public static final int NARROW = 1024;
@@ -95,9 +95,12 @@ public final class Tuning {
     public static final int COLOUR_WORK_GROUP = 64;
 
     /** Work-items of a group that does a tile, about as many as it has contacts of one colour, on a GPU. 32 to 256. */
-    public static final int GPU_TILE_GROUP = Integer.getInteger("tg", 64);
+    public static final int GPU_TILE_GROUP = 64;
 
-    /** The same on a CPU. */
+    /** The same of the first tiling, whose tiles have most of the contacts. */
+    public static final int GPU_FIRST_TILE_GROUP = 128;
+
+    /** Both on a CPU. */
     public static final int CPU_TILE_GROUP = 1;
 
     /** Work-items of a launch of one group, which scans cells or does a small world, on a GPU. 64 to 1,024. */
@@ -195,6 +198,11 @@ public final class Tuning {
     /** How far the reach of a circle goes beyond its radius, radii: cells are 2 r (1 + this) wide. 0.25 to 1. */
     public static final float REACH = 0.5f;
 
+    /** The same of more than so many circles, where detections take longer than substeps. 0.5 to 2. */
+    public static final float REACH_OF_MANY = 1.25f;
+
+    public static final int MANY = 200_000;
+
     /** Gap up to which a contact is always listed, smaller radii. 0.05 to 0.2. */
     public static final float ALWAYS_NEAR = 0.1f;
 
@@ -225,8 +233,13 @@ public final class Tuning {
 
     public static final int TILES_FEW = 64;
 
+    /** Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 1,023; 16 to 2,047. */
+    public static final int TILE_CIRCLES = 512;
+
+    public static final int TILE_CONTACTS = 1280;
+
     /** Circles up to which one work-group does most of a detection and its substeps, on a GPU. 0 (never) to 10^4. */
-    public static final int ALONE_CIRCLES = Integer.getInteger("alone", 1280);
+    public static final int ALONE_CIRCLES = 1280;
 
     /** Values up to which one work-group scans them all. 0 (never) to 10^5. */
     public static final int SCAN_FEW = 20_000;

@@ -78,9 +78,12 @@ public final class OclgrindGate {
         for (IndexStrategy strategy : List.of(IndexStrategy.grid(), IndexStrategy.folded())) {
             // with a launch a colour, and with one for all of them
             agreeInSmallSteps(Scene.PEBBLES, 33, strategy, 2, 0);
+            agreeInSmallSteps(Scene.PEBBLES, 33, strategy, 2, 1);
             agreeInSmallSteps(Scene.PEBBLES, 33, strategy, 2, 4096);
             agreeInSmallSteps(pile(), 10, strategy, 2, 0);
         }
+        // lists more contacts than there is room for, and is sorted again
+        agreeInSmallSteps(pile(), 52, IndexStrategy.grid(), 1, 1);
         // by its speeds this one takes more substeps in its second step, which rescales what it remembers
         agreeInSmallSteps(Scene.GAS, 9, IndexStrategy.grid(), 0, 0);
         agree(Scene.THESIS, 65, 2, IndexStrategy.grid(), CollisionStore.COMPACT, 0, 0);
