@@ -1,6 +1,6 @@
-// Turns counts into sums: each value becomes the sum of all up to it. Many values take three launches: parts,
-// one a work-group; the sums of the parts, one work-group; the sums added to the parts. Few take one launch of one work-group. Integers alone, so that the
-// size of a group leaves no trace.
+// Turns counts into sums: each value becomes the sum of all up to it. Many values take three launches: parts, one a work-group;
+// the sums of the parts, one work-group; the sums added to the parts. Few take one launch of one work-group. Integers alone, so
+// that the size of a group leaves no trace.
 
 __kernel void c2d_scan_parts(__global int *values, int all, __global int *partSums, __global const uint *status,
                              __local int *sums) {

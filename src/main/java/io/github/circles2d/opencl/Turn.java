@@ -3,7 +3,8 @@ package io.github.circles2d.opencl;
 /**
  * The buffers of small steps that a detection writes while it reads those of the detection before: two of each, used in
  * turn. While it sorts, a detection keeps what it does not need later in those that it fills last: in {@link #other} the
- * circles by bucket, in {@link #memory} the contacts as they are found. Once it has what it needs of the detection before, the
+ * circles by bucket, in {@link #memory} the contacts as they are found, in the {@link #body} of the detection before the pairs that find
+ * keeps. Once it has what it needs of the detection before, the
  * buffers of that one are free, and hold the order in which contacts are solved until the next: kernels/batch.cl.
  */
 final class Turn {
