@@ -92,7 +92,8 @@ final class OpenClSmallStages implements SmallStages {
     @Override
     public void upload(FloatBuffer circle, FloatBuffer velocities, Levels newLevels) {
         int circles = newLevels.circles;
-        compile(IndexStrategies.wide(circles));
+        // only pairs have numbers
+        compile(config.strategy().pairwise() && IndexStrategies.wide(circles));
         state.upload(circle, velocities, circles);
         if (levels == null || !levels.same(newLevels)) {
             tiles = Tiles.of(newLevels);
