@@ -48,6 +48,9 @@ final class Integrate {
 
     /** Both walls of an axis. */
     private void axis(int i, int axis, float gapLow, float gapHigh) {
+        if (!isNear(i, axis, 1, gapLow) && !isNear(i, axis, -1, gapHigh)) {
+            return;
+        }
         float[] walls = state.walls;
         int at = 4 * state.id[i] + 2 * axis;
         float come = walls[at];
@@ -56,6 +59,13 @@ final class Integrate {
         long high = wall(i, axis, -1, gapHigh, positive(-come), recalled(-last));
         walls[at] = come(low) != 0 ? come(low) : -come(high);
         walls[at + 1] = kept(low) != 0 ? kept(low) : -kept(high);
+    }
+
+    /** {@code c2d_near_wall}. */
+    private boolean isNear(int i, int axis, float sign, float gap) {
+        int b = SmallState.BODY * i;
+        float speed = sign * state.body[b + axis + SmallState.VX];
+        return gap < 2 * state.body[b + SmallState.RADIUS] || gap + speed * n[Substeps.TIME] < 0;
     }
 
     private static float positive(float x) {
@@ -88,7 +98,7 @@ final class Integrate {
         float radius = body[SmallState.BODY * i + SmallState.RADIUS];
         float w = body[SmallState.BODY * i + SmallState.INVERSE_MASS];
         float speed = sign * body[b + SmallState.VX];
-        if (!(gap < 2 * radius || gap + speed * n[Substeps.TIME] < 0)) {
+        if (!isNear(i, axis, sign, gap)) {
             return memory(come, last);
         }
         float impulse = come - (speed + (gap > 0 ? gap : 0) * n[Substeps.PER_TIME]) / w;
