@@ -1,0 +1,97 @@
+// Of stage batch: puts the contacts of each tile in the order of their colours, in which they are solved. Twin of host.Batch.
+
+// The circles of a tile of the first tiling, from .x to .y of `members`.
+static int2 c2d_members(int tile, int tiles, __global const int *tileStart) {
+    const int contacts = tileStart[C2D_PARTS * tiles];
+    return (int2)(tileStart[C2D_PARTS * (tiles + tile)] - contacts, tileStart[C2D_PARTS * (tiles + tile + 1)] - contacts);
+}
+
+// Whether a tile fits into the local memory of a work-group. Its `pairs` are then the turns of two circles in the tile, in one
+// int, and the turn of the contact in `byTile`.
+#define C2D_TURN_BITS 15
+static bool c2d_fits(int circles, int contacts) {
+    return circles <= C2D_TILE_CIRCLES && contacts <= C2D_TILE_CONTACTS;
+}
+
+// A tile's contacts by colour, to `pairs` and to the second part of `batch`, by one work-group. `counts`: of so many colours,
+// then how many contacts are in order, then the lowest colour that comes later.
+static void c2d_batch_order_tile(int tile, __global const int *other, __global const int *byTile,
+                                 __global const ushort *tint, int capacity, __global int *batch, __global int2 *pairs,
+                                 __global const int *tileStart, __global int *tileColours, bool stalled, int2 own,
+                                 __global const int *members, __global int *turn, __local int *counts) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
+    const int first = tileStart[C2D_PARTS * tile];
+    const int end = stalled ? first : tileStart[C2D_PARTS * (tile + 1)];
+    __global int *colourStart = batch + 2 * capacity + first;
+    __local int *sorted = counts + C2D_COLOURS;
+    __local int *later = sorted + 1;
+    const bool fits = own.x < own.y && c2d_fits(own.y - own.x, end - first);
+    for (int m = own.x + item; m < (fits ? own.y : 0); m += items) {
+        turn[members[m]] = m - own.x;
+    }
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    int done = first;
+    int lowest = 0;
+    int colours = 0;
+    while (done < end) {
+        for (int c = item; c < C2D_COLOURS; c += items) {
+            counts[c] = 0;
+        }
+        if (item == 0) {
+            *later = C2D_COLOUR_MOST;
+        }
+        barrier(CLK_LOCAL_MEM_FENCE);
+        for (int e = first + item; e < end; e += items) {
+            const int colour = (int)tint[byTile[e]] - lowest;
+            if (colour >= C2D_COLOURS) {
+                atomic_min(later, colour + lowest);
+            } else if (colour >= 0) {
+                atomic_inc(&counts[colour]);
+            }
+        }
+        barrier(CLK_LOCAL_MEM_FENCE);
+        if (item == 0) {
+            int start = done;
+            for (int c = 0; c < C2D_COLOURS; c++) {
+                const int own = counts[c];
+                counts[c] = start;
+                if (own > 0) {
+                    colourStart[colours++] = start;
+                }
+                start += own;
+            }
+            *sorted = start;
+        }
+        barrier(CLK_LOCAL_MEM_FENCE);
+        for (int e = first + item; e < end; e += items) {
+            const int k = byTile[e];
+            const int colour = (int)tint[k] - lowest;
+            if (colour >= 0 && colour < C2D_COLOURS) {
+                const int to = atomic_inc(&counts[colour]);
+                const int i = batch[k];
+                const int j = other[k];
+                pairs[to] = fits ? (int2)(turn[i] | turn[j] << C2D_TURN_BITS, e - first) : (int2)(i, j);
+                batch[capacity + to] = k;
+            }
+        }
+        done = *sorted;
+        lowest = *later;
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+    if (item == 0) {
+        tileColours[tile] = colours;
+    }
+}
+
+// One work-group a tile.
+__kernel void c2d_batch_order(__global const int *other, __global const int *byTile, __global const ushort *tint,
+                              int capacity, __global int *batch, __global int2 *pairs, __global const int *tileStart,
+                              __global int *tileColours, __global const uint *status, int firstTiles, int tiles, int fused,
+                              __global const int *members, __global int *turn, __local int *counts) {
+    const int tile = (int)get_group_id(0);
+    const bool stalled = status[C2D_STALLED] != 0u;
+    const int2 own = fused && !stalled && tile < firstTiles ? c2d_members(tile, tiles, tileStart) : (int2)(0, 0);
+    c2d_batch_order_tile(tile, other, byTile, tint, capacity, batch, pairs, tileStart, tileColours, stalled, own, members,
+                         turn, counts);
+}

@@ -1,0 +1,119 @@
+// Stage find by the grid, one work-item a circle. Twin of host.Find.
+
+// Of each circle the first so many pairs that it counts are kept, so that it need not look for them again: in `kept`, where the
+// circles were before they were sorted, the other circle, or its complement where that one is smaller and lists the pair; how
+// many there were is at the start of `filled`.
+#define C2D_KEPT 8
+
+// Puts circle j into the list of circle i, which fills up from its `end`; returns what is still free.
+static int c2d_find_put(int i, int j, int free, int end, bool folded, __global int *other, __global int2 *found) {
+    int at = free - 1;
+    found[at] = (int2)(j, i);
+    // only a folded level is not in order yet
+    for (; folded && at + 1 < end && other[at + 1] < j; at++) {
+        other[at] = other[at + 1];
+    }
+    other[at] = j;
+    return free - 1;
+}
+
+static void c2d_find_put_smaller(int i, int j, int circles, __global const int *listStart, __global int *filled,
+                                 __global int2 *found) {
+    found[listStart[j] + atomic_inc(&filled[circles + j])] = (int2)(i, j);
+}
+
+// Circle i looks into half of the cells around its own, and into all of those of wider levels: from the last to the first,
+// so that its own list fills up from its end.
+static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall,
+                            bool fill) {
+    const float8 own = body[i];
+    const int4 ownCell = c2d_cell(own, levels, rule);
+    const int levelCount = levels[0].C2D_LEVELS;
+    const int end = fill ? listStart[i + 1] : 0;
+    int free = end;
+    int pairs = 0;
+    for (int number = ownCell.z; number < levelCount; number++) {
+        const int8 level = levels[1 + number];
+        const bool same = number == ownCell.z;
+        const bool folded = c2d_is_folded(level);
+        const int x = ownCell.x >> level.C2D_SHIFT;
+        const int y = ownCell.y >> level.C2D_SHIFT;
+        const int right = min(x + 1, level.C2D_LAST_X);
+        for (int row = min(y + 1, level.C2D_LAST_Y); row >= max(same ? y : y - 1, 0); row--) {
+            // cells of a row are next to each other, save where the level is folded
+            const int left = same && row == y ? x : max(x - 1, 0);
+            for (int column = right; column >= left; column = folded ? column - 1 : -1) {
+                const int bucket = c2d_bucket(level, column, row);
+                const int firstBucket = folded ? bucket : bucket - (right - left);
+                const bool home = same && row == y && (!folded || column == x);
+                const int first = home ? i + 1 : bucketStart[firstBucket];
+                for (int j = bucketStart[bucket + 1] - 1; j >= first; j--) {
+                    const float8 there = body[j];
+                    if (!c2d_near(own, there, rule, horizon, fall)) {
+                        continue;
+                    }
+                    if (folded) {
+                        // a bucket holds circles of cells far apart
+                        const int4 cell = c2d_cell(there, levels, rule);
+                        if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
+                            continue;
+                        }
+                    }
+                    if (fill) {
+                        if (same) {
+                            free = c2d_find_put(i, j, free, end, folded, other, found);
+                        } else {
+                            c2d_find_put_smaller(i, j, circles, listStart, filled, found);
+                        }
+                        continue;
+                    }
+                    if (same) {
+                        free++;
+                    } else {
+                        atomic_inc(&listStart[j + 1]);
+                    }
+                    if (pairs < C2D_KEPT) {
+                        kept[pairs * circles + i] = same ? j : ~j;
+                    }
+                    pairs++;
+                }
+            }
+        }
+    }
+    if (!fill) {
+        filled[i] = pairs;
+        atomic_add(&listStart[i + 1], free);
+    }
+}
+
+__kernel void c2d_find_count(C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall) {
+    const int i = (int)get_global_id(0);
+    if (i < circles && status[C2D_STALLED] == 0u) {
+        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, kept,
+                        horizon, fall, false);
+    }
+}
+
+__kernel void c2d_find_fill(C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall) {
+    const int i = (int)get_global_id(0);
+    if (i >= circles || status[C2D_STALLED] != 0u) {
+        return;
+    }
+    const int pairs = filled[i];
+    if (pairs > C2D_KEPT) {
+        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, kept,
+                        horizon, fall, true);
+        return;
+    }
+    const bool folded = pairs > 0 && c2d_is_folded(levels[1 + c2d_cell(body[i], levels, rule).z]);
+    const int end = listStart[i + 1];
+    int free = end;
+    for (int k = 0; k < pairs; k++) {
+        const int j = kept[k * circles + i];
+        if (j >= 0) {
+            free = c2d_find_put(i, j, free, end, folded, other, found);
+        } else {
+            c2d_find_put_smaller(i, ~j, circles, listStart, filled, found);
+        }
+    }
+}
