@@ -26,6 +26,11 @@ public final class OpenClDevice implements Device {
     /** Parts of a buffer begin at multiples of this, bytes. */
     final int partAlignment;
 
+    /**
+     * Memory may be mapped. JOCL waits for the end of a mapping on a thread of its own; Oclgrind's queues are for one thread, and crash.
+     */
+    final boolean maps;
+
     /** Divisions and roots are rounded correctly if the program asks for it. */
     final boolean correctlyRounded;
 
@@ -50,6 +55,7 @@ public final class OpenClDevice implements Device {
         memory = number(CL.CL_DEVICE_GLOBAL_MEM_SIZE);
         maxWorkGroup = (int) Math.min(Integer.MAX_VALUE, number(CL.CL_DEVICE_MAX_WORK_GROUP_SIZE));
         partAlignment = (int) Math.max(16, (number(CL.CL_DEVICE_MEM_BASE_ADDR_ALIGN) & 0xFFFFFFFFL) / 8);
+        maps = !platform.contains("Oclgrind");
         correctlyRounded = (number(CL.CL_DEVICE_SINGLE_FP_CONFIG) & CL.CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     }
 

@@ -44,6 +44,9 @@ final class Staging implements AutoCloseable {
 
     /** Pinned memory, mapped for good, or null. */
     private ByteBuffer pin(int wanted) {
+        if (!session.device.maps) {
+            return null;
+        }
         int[] status = new int[1];
         long flags = CL.CL_MEM_READ_WRITE | CL.CL_MEM_ALLOC_HOST_PTR;
         cl_mem created = session.api.createBuffer(session.context, flags, wanted, status);
