@@ -10,7 +10,7 @@ import java.util.BitSet;
 import java.util.stream.LongStream;
 
 /**
- * The bytes that a launch of each kernel of small steps reads and writes at least: each value of each buffer that it needs counts once
+ * The bytes that a launch of each kernel of small steps, as worlds make it by themselves, reads and writes at least: each value of each buffer that it needs counts once
  * in each direction, in which it goes, however often the kernel comes back to it. What a work-item writes only now and then (walls, bounced
  * contacts) does not count, nor does what is the same for all. A cache as large as the buffers can make a kernel faster than a copy.
  */
@@ -19,13 +19,11 @@ final class StageBytes {
     private final long contacts;
     private final boolean pairwise;
     private final boolean few;
-    private final boolean fused;
     private final long buckets;
     /** Buckets with circles in them. */
     private final long occupied;
 
     private final long tiles;
-    private final int tilings;
     /** Counts of contacts by tile, and of circles. */
     private final long parts;
 
@@ -44,16 +42,14 @@ final class StageBytes {
         this.contacts = contacts;
         this.colourings = colourings;
         pairwise = config.strategy().pairwise();
-        fused = config.smallWorld() > 0;
-        few = fused && circles <= Tuning.FEW_CIRCLES;
+        few = circles <= Tuning.FEW_CIRCLES;
         Levels levels = Levels.of(config, Population.of(circle, circles));
         Tiles all = Tiles.of(levels);
         buckets = levels.cells;
         occupied = occupied(config, levels, circle, circles);
         tiles = all.tiles;
-        tilings = all.tilings;
         parts = (long) Tiles.PARTS * all.tiles;
-        members = fused ? all.parts() - parts : 0;
+        members = all.parts() - parts;
     }
 
     private static int occupied(WorldConfig config, Levels levels, FloatBuffer circle, int circles) {
@@ -97,24 +93,21 @@ final class StageBytes {
             case "c2d_match_order" -> 8 * k + (4 + 4) * n;
             // from, listStart before; found, other, other before, memory before; memory, batch
             case "c2d_match" -> (4 + 4) * n + (8 + 4 + 4 + 8 + 8 + 4) * k;
-            // body, where circles are counted their turn; batch, other; turn and part; tileStart read and written
-            case "c2d_batch_count" -> (32 + (fused ? 4 : 0)) * n + (4 + 4 + 8) * k + 8 * (parts + members);
-            // masks, turns, where circles are counted body, turn and members; turn and part, byTile; tileStart
-            case "c2d_batch_fill" -> (8 + 4 + (fused ? 32 + 4 + 4 : 0)) * n + (8 + 4) * k + 4 * (parts + members);
+            // body, turn of the circles; batch, other; turn and part; tileStart read and written
+            case "c2d_batch_count" -> (32 + 4) * n + (4 + 4 + 8) * k + 8 * (parts + members);
+            // masks, turns read and written, body, members; turn and part, byTile; tileStart
+            case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4) * k + 4 * (parts + members);
             // bucketStart, listStart, masks read and written; other, part, tint; shared out among the launches
             case "c2d_batch_colour" -> colouring() / colourings;
             // the same, where no other kernel has a share
             case "c2d_batch_colour_few" -> colourings > 0 ? 0 : colouring();
             // byTile, tint, batch, other; pairs, index; tileStart, tileColours
             case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4) * k + 4 * parts + 4 * tiles;
-            // body read and written, kicked read and, for another substep, written
-            case "c2d_integrate" -> (64 + (fused ? 8 : 16)) * n;
-            // body read and written, kicked read and written, members; pairs, byTile, memory read and written, as if
-            // all
-            // contacts were of the first tiling
+            // body read and written, kicked
+            case "c2d_integrate" -> (64 + 8) * n;
+            // body read and written, kicked read and written, members; pairs, byTile, memory read and written, as
+            // if all contacts were of this first tiling; what is left for c2d_solve is not known
             case "c2d_solve_first" -> (64 + 16 + 4) * n + (8 + 4 + 16) * k;
-            // body read and written once a substep; pairs, index, memory read and written; tileStart; a tiling's share
-            case "c2d_solve" -> fused ? 0 : (64 * n + (8 + 4 + 16) * k + 4 * parts) / (double) tilings;
             // body read and written, kicked, id; centre, velocity
             case "c2d_publish" -> (64 + 8 + 4 + 8 + 8) * n;
             default -> 0;
