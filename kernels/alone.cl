@@ -21,7 +21,7 @@ __kernel void c2d_alone_grid(__global const float8 *bodyBefore, __global const i
         c2d_grid_bin_at(i, bodyBefore, levels, rule, circles, bucket, bucketStart);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_scan_group(bucketStart, cells + 1, 0, sums);
+    c2d_scan_group(bucketStart, cells + 1, sums);
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int i = item; i < circles; i += items) {
         c2d_grid_scatter_at(i, bucket, bucketStart, circles, unsorted);
@@ -34,7 +34,7 @@ __kernel void c2d_alone_grid(__global const float8 *bodyBefore, __global const i
 
 // batch.cl. `tiles`: the tilings.
 __kernel void c2d_alone_batch(C2D_BATCH_COLOUR, __global const float8 *body, __global const int8 *tilings,
-                              __global const float *rule, int circles, int tiles, __global int *batchOut,
+                              __global const float *rule, int circles, int tiles,
                               __global int *tileStart, __global int *byTile, __global int2 *pairs,
                               __global int *tileColours, __local int *sums) {
     const int item = (int)get_local_id(0);
@@ -43,14 +43,14 @@ __kernel void c2d_alone_batch(C2D_BATCH_COLOUR, __global const float8 *body, __g
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : listStart[circles];
     for (int k = item; k < contacts; k += items) {
-        c2d_batch_count_at(k, true, body, all, tilings, rule, other, capacity, batchOut, tileStart);
+        c2d_batch_count_at(k, true, body, all, tilings, rule, other, capacity, batch, tileStart);
     }
     for (int p = item; p < (stalled ? 0 : circles); p += items) {
         beyond[p] = 0;
         mask[p] = 0ul;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_scan_group(tileStart, stalled ? 0 : C2D_PARTS * tiles + 1, 0, sums);
+    c2d_scan_group(tileStart, stalled ? 0 : C2D_PARTS * tiles + 1, sums);
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int k = item; k < contacts; k += items) {
         c2d_batch_fill_at(k, capacity, batch, tileStart, byTile);
@@ -58,8 +58,8 @@ __kernel void c2d_alone_batch(C2D_BATCH_COLOUR, __global const float8 *body, __g
     c2d_batch_colour_levels(C2D_BATCH_COLOUR_HERE, 0, all.C2D_LEVELS, stalled);
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int tile = 0; tile < tiles; tile++) {
-        c2d_batch_order_tile(tile, other, byTile, tint, capacity, batchOut, pairs, tileStart, tileColours, stalled,
-                             (int2)(0, 0), byTile, beyond, sums);
+        c2d_batch_order_tile(tile, other, byTile, tint, capacity, batch, pairs, tileStart, tileColours, stalled, false,
+                             beyond, sums);
     }
 }
 

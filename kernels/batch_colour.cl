@@ -14,7 +14,7 @@
 
 #define C2D_BATCH_COLOUR                                                                                               \
     __global const int *listStart, __global const int *other, __global const int *bucketStart,                           \
-        __global const int8 *levels, __global uint *status, int capacity, __global const int *batch,                     \
+        __global const int8 *levels, __global uint *status, int capacity, __global int *batch,                           \
         __global ulong *mask, __global int *beyond, __global ushort *tint, int others
 #define C2D_BATCH_COLOUR_HERE                                                                                          \
     listStart, other, bucketStart, levels, status, capacity, batch, mask, beyond, tint, others

@@ -14,11 +14,11 @@ static bool c2d_fits(int circles, int contacts) {
 }
 
 // A tile's contacts by colour, to `pairs` and to the second part of `batch`, by one work-group. `counts`: of so many colours,
-// then how many contacts are in order, then the lowest colour that comes later.
+// then how many contacts are in order, then the lowest colour that comes later. `turn`: that of each circle in a tile that fits.
 static void c2d_batch_order_tile(int tile, __global const int *other, __global const int *byTile,
                                  __global const ushort *tint, int capacity, __global int *batch, __global int2 *pairs,
-                                 __global const int *tileStart, __global int *tileColours, bool stalled, int2 own,
-                                 __global const int *members, __global int *turn, __local int *counts) {
+                                 __global const int *tileStart, __global int *tileColours, bool stalled, bool fits,
+                                 __global const int *turn, __local int *counts) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const int first = tileStart[C2D_PARTS * tile];
@@ -26,11 +26,6 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global c
     __global int *colourStart = batch + 2 * capacity + first;
     __local int *sorted = counts + C2D_COLOURS;
     __local int *later = sorted + 1;
-    const bool fits = own.x < own.y && c2d_fits(own.y - own.x, end - first);
-    for (int m = own.x + item; m < (fits ? own.y : 0); m += items) {
-        turn[members[m]] = m - own.x;
-    }
-    barrier(CLK_GLOBAL_MEM_FENCE);
     int done = first;
     int lowest = 0;
     int colours = 0;
@@ -92,6 +87,12 @@ __kernel void c2d_batch_order(__global const int *other, __global const int *byT
     const int tile = (int)get_group_id(0);
     const bool stalled = status[C2D_STALLED] != 0u;
     const int2 own = fused && !stalled && tile < firstTiles ? c2d_members(tile, tiles, tileStart) : (int2)(0, 0);
-    c2d_batch_order_tile(tile, other, byTile, tint, capacity, batch, pairs, tileStart, tileColours, stalled, own, members,
-                         turn, counts);
+    const int contacts = tileStart[C2D_PARTS * (tile + 1)] - tileStart[C2D_PARTS * tile];
+    const bool fits = own.x < own.y && c2d_fits(own.y - own.x, contacts);
+    for (int m = own.x + (int)get_local_id(0); m < (fits ? own.y : 0); m += (int)get_local_size(0)) {
+        turn[members[m]] = m - own.x;
+    }
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    c2d_batch_order_tile(tile, other, byTile, tint, capacity, batch, pairs, tileStart, tileColours, stalled, fits, turn,
+                         counts);
 }

@@ -97,7 +97,7 @@ __kernel void c2d_colour_count(C2D_CELLS, __global const int4 *found, __global i
 
 // Step 2. One work-group.
 __kernel void c2d_colour_scan(__global int *cellStart, __global const uint *status, int cells, __local int *sums) {
-    c2d_scan_group(cellStart, status[C2D_STALLED] != 0u ? 0 : cells, 0, sums);
+    c2d_scan_group(cellStart, status[C2D_STALLED] != 0u ? 0 : cells, sums);
 }
 
 // Step 3.

@@ -69,21 +69,8 @@ static void c2d_append(int2 pair, float2 translation, __global int4 *found, __gl
     }
 }
 
-// Makes of what each work-item of a group has put into `sums` the sum of all up to it; sums too large for an int stay the
-// largest int.
-static void c2d_scan_items(__local int *sums) {
-    const int item = (int)get_local_id(0);
-    for (int step = 1; step < (int)get_local_size(0); step *= 2) {
-        barrier(CLK_LOCAL_MEM_FENCE);
-        const int lower = item >= step ? sums[item - step] : 0;
-        barrier(CLK_LOCAL_MEM_FENCE);
-        sums[item] = add_sat(sums[item], lower);
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
-}
-
-// Turns counts into sums, each the sum of all up to it and of `before`. Every work-item of a group has C2D_SCAN of the values,
-// from `first` on. Returns the sum up to the last of its own.
+// Turns counts into sums, each the sum of all up to it and of `before`; sums too large for an int stay the largest int. Every
+// work-item of a group has C2D_SCAN of the values, from `first` on. Returns the sum up to the last of its own.
 static int c2d_scan_part(__global int *values, int first, int count, int before, __local int *sums) {
     const int item = (int)get_local_id(0);
     int own[C2D_SCAN];
@@ -93,7 +80,13 @@ static int c2d_scan_part(__global int *values, int first, int count, int before,
         sum = add_sat(sum, own[k]);
     }
     sums[item] = sum;
-    c2d_scan_items(sums);
+    for (int step = 1; step < (int)get_local_size(0); step *= 2) {
+        barrier(CLK_LOCAL_MEM_FENCE);
+        const int lower = item >= step ? sums[item - step] : 0;
+        barrier(CLK_LOCAL_MEM_FENCE);
+        sums[item] = add_sat(sums[item], lower);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
     sum = item > 0 ? add_sat(before, sums[item - 1]) : before;
     for (int k = 0; k < C2D_SCAN; k++) {
         sum = add_sat(sum, own[k]);
@@ -105,8 +98,9 @@ static int c2d_scan_part(__global int *values, int first, int count, int before,
 }
 
 // The same for all of the values, by one group: as many as it can at a time. Returns the sum of all.
-static int c2d_scan_group(__global int *values, int count, int before, __local int *sums) {
+static int c2d_scan_group(__global int *values, int count, __local int *sums) {
     const int items = (int)get_local_size(0);
+    int before = 0;
     for (int from = 0; from < count; from += C2D_SCAN * items) {
         c2d_scan_part(values, from + C2D_SCAN * (int)get_local_id(0), count, before, sums);
         before = add_sat(before, sums[items - 1]);

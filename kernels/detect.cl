@@ -44,10 +44,10 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
         return;
     }
     const c2d_index stride = (c2d_index)((pairs + C2D_PAIRS - 1) / C2D_PAIRS);
-    if ((c2d_index)get_global_id(0) >= stride) {
+    c2d_index item = (c2d_index)get_global_id(0);
+    if (item >= stride) {
         return;
     }
-    c2d_index item = (c2d_index)get_global_id(0);
 #pragma unroll
     for (int turn = 0; turn < C2D_PAIRS; turn++) {
         if (item < (c2d_index)pairs) {

@@ -140,18 +140,7 @@ __kernel void c2d_load(__global const float4 *circle, __global const float2 *vel
     }
 }
 
-// The end of a step: that of its last substep, then the circle by number. Returns its speed, in radii a second, as bits:
-// positive floats compare as their bits do.
-static uint c2d_publish_circle(int i, C2D_CIRCLES, __global float4 *circle, __global float2 *velocities) {
-    const float8 b = c2d_integrated(i, true, false, body, id, kicked, walls, rule);
-    body[i] = b;
-    const int to = id[i];
-    circle[to].xy = b.s01;
-    velocities[to] = b.s23;
-    return as_uint(c2d_positive(sqrt(b.s2 * b.s2 + b.s3 * b.s3) / b.s6));
-}
-
-// Also finds the highest speed.
+// The end of a step: that of its last substep, then the circles by number, and the highest speed, in radii a second.
 __kernel void c2d_publish(C2D_CIRCLES, __global uint *status, int circles, __global float4 *circle,
                           __global float2 *velocities, __local uint *fastest) {
     const int i = (int)get_global_id(0);
@@ -160,7 +149,13 @@ __kernel void c2d_publish(C2D_CIRCLES, __global uint *status, int circles, __glo
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (i < circles && status[C2D_STALLED] == 0u) {
-        atomic_max(fastest, c2d_publish_circle(i, body, id, kicked, walls, rule, circle, velocities));
+        const float8 b = c2d_integrated(i, true, false, body, id, kicked, walls, rule);
+        body[i] = b;
+        const int to = id[i];
+        circle[to].xy = b.s01;
+        velocities[to] = b.s23;
+        // positive floats compare as their bits do
+        atomic_max(fastest, as_uint(c2d_positive(sqrt(b.s2 * b.s2 + b.s3 * b.s3) / b.s6)));
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {

@@ -2,10 +2,10 @@
 // Twin of host.Match.
 
 // Orders what find put at the start of lists, whoever came first: those of smaller circles, or, of an index strategy, all.
-static void c2d_match_order_from(int first, int step, int contacts, __global const int2 *found,
-                                 __global const int *filled, __global const int *listStart, int circles,
-                                 __global int *other) {
-    for (int k = first; k < contacts; k += step) {
+__kernel void c2d_match_order(__global const int2 *found, __global const int *filled, __global const int *listStart,
+                              __global const uint *status, int circles, __global int *other) {
+    const int contacts = status[C2D_STALLED] != 0u ? 0 : listStart[circles];
+    for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
         const int2 own = found[k];
         const int start = listStart[own.y];
         const int end = start + filled[circles + own.y];
@@ -18,13 +18,6 @@ static void c2d_match_order_from(int first, int step, int contacts, __global con
             other[place] = own.x;
         }
     }
-}
-
-__kernel void c2d_match_order(__global const int2 *found, __global const int *filled, __global const int *listStart,
-                              __global const uint *status, int circles, __global int *other) {
-    const int contacts = status[C2D_STALLED] != 0u ? 0 : listStart[circles];
-    c2d_match_order_from((int)get_global_id(0), (int)get_global_size(0), contacts, found, filled, listStart, circles,
-                         other);
 }
 
 // Where circle j is in the list of circle i at the detection before, or -1.
@@ -45,10 +38,18 @@ static int c2d_remembered(int i, int j, __global const int *listStartBefore, __g
 
 // `memory` holds what find has found of each contact, and then what is remembered of it; `batch` begins with the circle in
 // whose list it is.
-static void c2d_match_from(int first, int step, int contacts, __global const int *from, __global const int *other,
-                           __global const int *listStartBefore, __global const int *otherBefore,
-                           __global const int2 *memoryBefore, __global int2 *memory, __global int *batch) {
-    for (int k = first; k < contacts; k += step) {
+__kernel void c2d_match(__global const int *from, __global const int *listStart, __global const int *other,
+                        __global uint *status, int circles, __global const int *listStartBefore,
+                        __global const int *otherBefore, __global const int2 *memoryBefore, __global int2 *memory,
+                        __global int *batch) {
+    if (status[C2D_STALLED] != 0u) {
+        return;
+    }
+    const int contacts = listStart[circles];
+    if (get_global_id(0) == 0) {
+        status[C2D_UPDATES] += 1u;
+    }
+    for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
         const int lists = memory[k].y;
         const int i = from[lists];
         const int j = from[other[k]];
@@ -59,18 +60,4 @@ static void c2d_match_from(int first, int step, int contacts, __global const int
         memory[k] = old < 0 ? (int2)(0, 0) : memoryBefore[old];
         batch[k] = lists;
     }
-}
-
-__kernel void c2d_match(__global const int *from, __global const int *listStart, __global const int *other,
-                        __global uint *status, int circles, __global const int *listStartBefore,
-                        __global const int *otherBefore, __global const int2 *memoryBefore, __global int2 *memory,
-                        __global int *batch) {
-    if (status[C2D_STALLED] != 0u) {
-        return;
-    }
-    if (get_global_id(0) == 0) {
-        status[C2D_UPDATES] += 1u;
-    }
-    c2d_match_from((int)get_global_id(0), (int)get_global_size(0), listStart[circles], from, other, listStartBefore,
-                   otherBefore, memoryBefore, memory, batch);
 }

@@ -51,7 +51,7 @@ __kernel void c2d_resolve_small(__global float4 *circle, float2 corner, float pe
         c2d_count(k, circle, corner, perUnit, columns, rows, found, cellStart);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_scan_group(cellStart, columns * rows, 0, sums);
+    c2d_scan_group(cellStart, columns * rows, sums);
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (uint k = item; k < contacts; k += items) {
         c2d_scatter(k, circle, corner, perUnit, columns, rows, found, cellStart, byCell);

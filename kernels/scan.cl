@@ -13,8 +13,8 @@ __kernel void c2d_scan_parts(__global int *values, int all, __global int *partSu
     }
 }
 
-// The one place that stalls a detection until there is room: where the values are the lengths of lists, with room for `capacity` contacts; -1 for
-// other values.
+// The one place that stalls a detection until there is room: where the values are the lengths of lists, with room for `capacity`
+// contacts; -1 for other values.
 static void c2d_scan_check(int contacts, int capacity, __global uint *status) {
     if (get_local_id(0) == 0 && capacity >= 0 && status[C2D_STALLED] == 0u) {
         status[C2D_CONTACTS] = (uint)contacts;
@@ -24,12 +24,12 @@ static void c2d_scan_check(int contacts, int capacity, __global uint *status) {
 
 __kernel void c2d_scan_sums(__global int *partSums, int parts, __global uint *status, int capacity,
                             __local int *sums) {
-    c2d_scan_check(c2d_scan_group(partSums, parts, 0, sums), capacity, status);
+    c2d_scan_check(c2d_scan_group(partSums, parts, sums), capacity, status);
 }
 
 __kernel void c2d_scan_few(__global int *values, int all, __global uint *status, int capacity, __local int *sums) {
     const int count = status[C2D_STALLED] != 0u ? 0 : all;
-    c2d_scan_check(c2d_scan_group(values, count, 0, sums), capacity, status);
+    c2d_scan_check(c2d_scan_group(values, count, sums), capacity, status);
 }
 
 __kernel void c2d_scan_add(__global int *values, int count, __global const int *partSums,

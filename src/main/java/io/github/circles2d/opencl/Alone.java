@@ -42,44 +42,18 @@ final class Alone {
                         new Kernel.Local(4L * grid.group()));
         batch.range(1, world.oneGroup())
                 .arguments(
-                        now.listStart,
-                        now.other,
-                        buffers.bucketStart,
-                        buffers.levels,
-                        status,
-                        buffers.capacity(),
-                        before.body,
-                        buffers.kicked,
-                        buffers.from,
-                        before.listStart,
-                        Tiles.PARTS,
+                        Batch.contacts(world, 1),
                         now.body,
                         buffers.tilings,
                         buffers.rule,
                         circles,
                         tilings,
-                        before.body,
                         buffers.tileStart,
                         before.other,
                         before.memory,
                         buffers.tileColours,
                         new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)));
-        solve.range(1, world.oneGroup())
-                .arguments(
-                        now.body,
-                        now.id,
-                        buffers.kicked,
-                        buffers.walls,
-                        buffers.rule,
-                        now.memory,
-                        before.memory,
-                        buffers.capacity(),
-                        before.body,
-                        buffers.tileStart,
-                        buffers.tileColours,
-                        status,
-                        circles,
-                        tilings);
+        solve.range(1, world.oneGroup()).arguments(Solve.known(world), circles, tilings);
     }
 
     void grid() {

@@ -32,6 +32,30 @@ final class Batch {
         order = new Kernel(session, program, "c2d_batch_order");
     }
 
+    /**
+     * What every kernel that colours begins with, {@code C2D_BATCH_COLOUR}.
+     *
+     * @param firstTiles tiles of the first tiling
+     */
+    static Object[] contacts(SmallWorld world, int firstTiles) {
+        SmallBuffers buffers = world.buffers();
+        Turn now = world.now();
+        Turn free = world.before();
+        return new Object[] {
+            now.listStart,
+            now.other,
+            buffers.bucketStart,
+            buffers.levels,
+            world.state().status,
+            buffers.capacity(),
+            free.body,
+            buffers.kicked,
+            buffers.from,
+            free.listStart,
+            Tiles.PARTS * firstTiles
+        };
+    }
+
     void bind(SmallWorld world) {
         SmallBuffers buffers = world.buffers();
         Turn now = world.now();
@@ -59,19 +83,7 @@ final class Batch {
                         buffers.kicked)
                 .range(world.contacts(), world.group());
         Levels levels = world.levels();
-        Object[] contacts = {
-            now.listStart,
-            now.other,
-            buffers.bucketStart,
-            buffers.levels,
-            status,
-            capacity,
-            free.body,
-            buffers.kicked,
-            buffers.from,
-            free.listStart,
-            Tiles.PARTS * tiles.first(1)
-        };
+        Object[] contacts = contacts(world, tiles.first(1));
         int wide = world.config().smallWorld() > 0 ? wideLevels(levels) : levels.count;
         launches = 0;
         for (int level = 0; level < wide; level++) {

@@ -24,12 +24,12 @@ final class Solve {
         kickAndFirst = new Kernel(session, program, "c2d_solve_first");
     }
 
-    void bind(SmallWorld world) {
+    /** What every kernel that visits contacts begins with, {@code C2D_SOLVE}. */
+    static Object[] known(SmallWorld world) {
         SmallBuffers buffers = world.buffers();
         Turn now = world.now();
         Turn free = world.before();
-        Tiles tiles = world.tiles();
-        Object[] known = {
+        return new Object[] {
             now.body,
             now.id,
             buffers.kicked,
@@ -43,6 +43,12 @@ final class Solve {
             buffers.tileColours,
             world.state().status
         };
+    }
+
+    void bind(SmallWorld world) {
+        Turn free = world.before();
+        Tiles tiles = world.tiles();
+        Object[] known = known(world);
         fused = world.fused();
         Object[] local = {
             new Kernel.Local(32 * Tuning.TILE_CIRCLES),
