@@ -240,32 +240,7 @@ class BackgroundTest {
     @MethodSource("io.github.circles2d.TestDevices#both")
     void whatAStrategyThrowsComesWithTheNextCall(Supplier<ComputeDevice> device) {
         ArithmeticException thrown = new ArithmeticException("the user's own");
-        IndexStrategy users = new IndexStrategy() {
-            @Override
-            public String name() {
-                return "users";
-            }
-
-            @Override
-            public String kernelSource() {
-                return IndexStrategy.folded().kernelSource();
-            }
-
-            @Override
-            public long tableBytes(int circles, long pairs) {
-                return 64;
-            }
-
-            @Override
-            public void fillTable(int circles, long first, long pairs, java.nio.ByteBuffer table) {
-                throw thrown;
-            }
-
-            @Override
-            public long pairAt(long pair, long first, int circles, java.nio.ByteBuffer table) {
-                return IndexStrategy.folded().pairAt(pair, first, circles, table);
-            }
-        };
+        IndexStrategy users = new ThrowingStrategy(thrown);
         try (Circles2D world = Circles2D.builder()
                 .device(device.get())
                 .indexStrategy(users)

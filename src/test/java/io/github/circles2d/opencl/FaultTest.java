@@ -314,18 +314,22 @@ class FaultTest {
         return "set";
     }
 
+    private void beginAStepThatFails(Circles2D world) throws InterruptedException {
+        addPile(world);
+        world.step();
+        world.snapshot();
+        faulty.fail(0, -36, false);
+        world.step();
+        while (faulty.calls().isEmpty()) {
+            Thread.sleep(1);
+        }
+    }
+
     @Test
     void stepsThrowWhatAStepBeforeThemInTheBackgroundHasThrown() throws InterruptedException {
         faulty.behave();
         try (Circles2D world = builder(World.IN_BACKGROUND).build()) {
-            addPile(world);
-            world.step();
-            world.snapshot();
-            faulty.fail(0, -36, false);
-            world.step();
-            while (faulty.calls().isEmpty()) {
-                Thread.sleep(1);
-            }
+            beginAStepThatFails(world);
             assertThrows(OpenClException.class, () -> {
                 for (int i = 0; i < 10_000; i++) {
                     world.step();
@@ -340,14 +344,7 @@ class FaultTest {
     void aFailureThatNoCallHasThrownIsLoggedAtTheEnd() throws InterruptedException {
         faulty.behave();
         try (Circles2D world = builder(World.IN_BACKGROUND).build()) {
-            addPile(world);
-            world.step();
-            world.snapshot();
-            faulty.fail(0, -36, false);
-            world.step();
-            while (faulty.calls().isEmpty()) {
-                Thread.sleep(1);
-            }
+            beginAStepThatFails(world);
         }
         assertNothingLeft("after a failure in the background");
         assertEquals(List.of("a step failed, and the world was closed"), log.take());

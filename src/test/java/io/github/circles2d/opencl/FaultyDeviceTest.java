@@ -15,6 +15,7 @@ import io.github.circles2d.Internals;
 import io.github.circles2d.KernelBuildException;
 import io.github.circles2d.StepStats;
 import io.github.circles2d.TestDevices;
+import io.github.circles2d.ThrowingStrategy;
 import java.nio.ByteBuffer;
 import java.util.List;
 import org.jocl.CL;
@@ -146,32 +147,7 @@ class FaultyDeviceTest {
 
     @Test
     void aStrategyWhoseTableThrowsLosesNothing() {
-        IndexStrategy users = new IndexStrategy() {
-            @Override
-            public String name() {
-                return "users";
-            }
-
-            @Override
-            public String kernelSource() {
-                return IndexStrategy.folded().kernelSource();
-            }
-
-            @Override
-            public long tableBytes(int circles, long pairs) {
-                return 64;
-            }
-
-            @Override
-            public void fillTable(int circles, long first, long pairs, ByteBuffer table) {
-                throw new ArithmeticException("the user's own");
-            }
-
-            @Override
-            public long pairAt(long pair, long first, int circles, ByteBuffer table) {
-                return IndexStrategy.folded().pairAt(pair, first, circles, table);
-            }
-        };
+        IndexStrategy users = new ThrowingStrategy(new ArithmeticException("the user's own"));
         try (Circles2D world =
                 Internals.thesis().device(device()).indexStrategy(users).build()) {
             world.addCircle(0.5f, 0.5f, 0.1f, 1);
