@@ -20,9 +20,14 @@ static int c2d_tile(int2 cell, int8 tiling) {
     return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
 }
 
-// The contacts of a tile, and its circles, are counted in so many parts, by rows of cells: counting into one place takes turns,
-// and what is of one row lies together in memory.
-#define C2D_PARTS 8
+// The contacts of a tile, and its circles, are counted in so many parts, two for each row of cells: counting into one place takes
+// turns, and what is of one row lies together in memory.
+#define C2D_PARTS 16
+static int c2d_batch_part(int tile, int row, int which) { return C2D_PARTS * tile + (2 * row + (which & 1)) % C2D_PARTS; }
+
+// By place: which of its part a circle was counted as.
+#define C2D_TURN_OF C2D_AT(int, from)
+#define C2D_MASK C2D_AT(ulong, kicked)
 
 // Contact k, at one of the parts of its tile; or, where all tiles of a tiling are done as one, of its tiling.
 static void c2d_batch_count_at(int k, bool asOne, __global const float8 *body, int8 all, __global const int8 *tilings,
@@ -37,31 +42,30 @@ static void c2d_batch_count_at(int k, bool asOne, __global const float8 *body, i
         tiling++;
         tile = c2d_tile(a, tilings[tiling]);
     }
-    const int part = C2D_PARTS * (asOne ? tiling : tile) + a.y % C2D_PARTS;
+    const int part = c2d_batch_part(asOne ? tiling : tile, a.y, k);
     batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
     batch[2 * capacity + k] = part;
 }
 
 // The part of the circle at place p: circles are counted after the contacts of all `tiles`, by tiles of the first tiling.
-static int c2d_batch_part(int p, __global const float8 *body, int8 all, __global const int8 *tilings,
-                          __global const float *rule, int tiles) {
+static int c2d_batch_part_of(int p, __global const float8 *body, int8 all, __global const int8 *tilings,
+                             __global const float *rule, int tiles) {
     const int2 cell = c2d_finest_cell(body[p].s01, all, rule);
-    return C2D_PARTS * (tiles + c2d_tile(cell, tilings[0])) + cell.y % C2D_PARTS;
+    return c2d_batch_part(tiles + c2d_tile(cell, tilings[0]), cell.y, p);
 }
 
-// One work-item a contact, going round where they are more. Circles are counted where tiles are told which are theirs: `fused`.
-__kernel void c2d_batch_count(__global const float8 *body, __global const int8 *levels, __global const int8 *tilings,
-                              __global const float *rule, __global const uint *status, int circles,
-                              __global const int *listStart, __global const int *other, int capacity, int tiles,
-                              int fused, __global int *batch, __global int *tileStart, __global int *turn) {
-    const int8 all = levels[0];
+// One work-item a contact, going round where they are more; and one a circle.
+__kernel void c2d_batch_count(C2D_WORLD, int tiles) {
+    const int8 all = C2D_LEVEL_TABLE[0];
     const bool stalled = status[C2D_STALLED] != 0u;
-    const int contacts = stalled ? 0 : listStart[circles];
+    const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        c2d_batch_count_at(k, false, body, all, tilings, rule, other, capacity, batch, tileStart);
+        c2d_batch_count_at(k, false, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER, world.capacity, C2D_BATCH,
+                           C2D_TILE_START);
     }
-    for (int p = (int)get_global_id(0); p < (stalled || !fused ? 0 : circles); p += (int)get_global_size(0)) {
-        turn[p] = atomic_inc(&tileStart[c2d_batch_part(p, body, all, tilings, rule, tiles) + 1]);
+    for (int p = (int)get_global_id(0); p < (stalled ? 0 : world.circles); p += (int)get_global_size(0)) {
+        const int part = c2d_batch_part_of(p, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles);
+        C2D_TURN_OF[p] = atomic_inc(&C2D_TILE_START[part + 1]);
     }
 }
 
@@ -70,22 +74,17 @@ static void c2d_batch_fill_at(int k, int capacity, __global const int *batch, __
     byTile[tileStart[batch[2 * capacity + k]] + batch[capacity + k]] = k;
 }
 
-__kernel void c2d_batch_fill(__global const float8 *body, __global const int8 *levels, __global const int8 *tilings,
-                             __global const float *rule, __global const uint *status, int circles,
-                             __global const int *listStart, int capacity, int tiles, int fused,
-                             __global const int *batch, __global const int *tileStart, __global int *turn,
-                             __global int *byTile, __global int *members, __global ulong *mask) {
-    const int8 all = levels[0];
+__kernel void c2d_batch_fill(C2D_WORLD, int tiles) {
+    const int8 all = C2D_LEVEL_TABLE[0];
     const bool stalled = status[C2D_STALLED] != 0u;
-    const int contacts = stalled ? 0 : listStart[circles];
+    const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        c2d_batch_fill_at(k, capacity, batch, tileStart, byTile);
+        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE);
     }
-    for (int p = (int)get_global_id(0); p < (stalled ? 0 : circles); p += (int)get_global_size(0)) {
-        if (fused) {
-            members[tileStart[c2d_batch_part(p, body, all, tilings, rule, tiles)] - contacts + turn[p]] = p;
-        }
-        turn[p] = 0;
-        mask[p] = 0ul;
+    for (int p = (int)get_global_id(0); p < (stalled ? 0 : world.circles); p += (int)get_global_size(0)) {
+        const int part = c2d_batch_part_of(p, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles);
+        C2D_MEMBERS[C2D_TILE_START[part] - contacts + C2D_TURN_OF[p]] = p;
+        C2D_TURN_OF[p] = 0;
+        C2D_MASK[p] = 0ul;
     }
 }

@@ -16,8 +16,12 @@
     __global const int *listStart, __global const int *other, __global const int *bucketStart,                           \
         __global const int8 *levels, __global uint *status, int capacity, __global int *batch,                           \
         __global ulong *mask, __global int *beyond, __global ushort *tint, int others
-#define C2D_BATCH_COLOUR_HERE                                                                                          \
+#define C2D_BATCH_COLOUR_ALL                                                                                           \
     listStart, other, bucketStart, levels, status, capacity, batch, mask, beyond, tint, others
+#define C2D_BATCH_COLOUR_HERE                                                                                          \
+    C2D_LIST_START, C2D_OTHER, C2D_BUCKET_START, C2D_LEVEL_TABLE, status, world.capacity, C2D_BATCH, C2D_MASK, C2D_BEYOND,  \
+        C2D_TINT, others
+#define C2D_BEYOND C2D_AT(int, from)
 
 // Contacts that are read ahead.
 #define C2D_AHEAD 4
@@ -69,17 +73,17 @@ static void c2d_batch_colour_bucket(int item, int8 level, int x, int y, int rows
     for (; start < listStart[last]; i++) {
         const int end = listStart[i + 1];
         if (start < end) {
-            c2d_batch_colour_list(i, start, end, C2D_BATCH_COLOUR_HERE);
+            c2d_batch_colour_list(i, start, end, C2D_BATCH_COLOUR_ALL);
         }
         start = end;
     }
 }
 
 // One work-item a bucket. `others`: first part of the tiles of the second tiling.
-__kernel void c2d_batch_colour(C2D_BATCH_COLOUR, int number, int x, int y, int rows, int across, int buckets) {
+__kernel void c2d_batch_colour(C2D_WORLD, int others, int number, int x, int y, int rows, int across, int buckets) {
     const int item = (int)get_global_id(0);
     if (item < buckets && status[C2D_STALLED] == 0u) {
-        c2d_batch_colour_bucket(item, levels[1 + number], x, y, rows, across, C2D_BATCH_COLOUR_HERE);
+        c2d_batch_colour_bucket(item, C2D_LEVEL_TABLE[1 + number], x, y, rows, across, C2D_BATCH_COLOUR_HERE);
     }
 }
 
@@ -95,13 +99,13 @@ static void c2d_batch_colour_levels(C2D_BATCH_COLOUR, int firstLevel, int levelC
             const int across = (level.C2D_WIDTH - x + 2) / 3;
             const int buckets = stalled ? 0 : across * ((level.C2D_HEIGHT - y + rows - 1) / rows);
             for (int item = (int)get_local_id(0); item < buckets; item += (int)get_local_size(0)) {
-                c2d_batch_colour_bucket(item, level, x, y, rows, across, C2D_BATCH_COLOUR_HERE);
+                c2d_batch_colour_bucket(item, level, x, y, rows, across, C2D_BATCH_COLOUR_ALL);
             }
             barrier(CLK_GLOBAL_MEM_FENCE);
         }
     }
 }
 
-__kernel void c2d_batch_colour_few(C2D_BATCH_COLOUR, int firstLevel, int levelCount) {
+__kernel void c2d_batch_colour_few(C2D_WORLD, int others, int firstLevel, int levelCount) {
     c2d_batch_colour_levels(C2D_BATCH_COLOUR_HERE, firstLevel, levelCount, status[C2D_STALLED] != 0u);
 }

@@ -80,19 +80,16 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global c
 }
 
 // One work-group a tile.
-__kernel void c2d_batch_order(__global const int *other, __global const int *byTile, __global const ushort *tint,
-                              int capacity, __global int *batch, __global int2 *pairs, __global const int *tileStart,
-                              __global int *tileColours, __global const uint *status, int firstTiles, int tiles, int fused,
-                              __global const int *members, __global int *turn, __local int *counts) {
+__kernel void c2d_batch_order(C2D_WORLD, int firstTiles, int tiles, __local int *counts) {
     const int tile = (int)get_group_id(0);
     const bool stalled = status[C2D_STALLED] != 0u;
-    const int2 own = fused && !stalled && tile < firstTiles ? c2d_members(tile, tiles, tileStart) : (int2)(0, 0);
-    const int contacts = tileStart[C2D_PARTS * (tile + 1)] - tileStart[C2D_PARTS * tile];
+    const int2 own = !stalled && tile < firstTiles ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
+    const int contacts = C2D_TILE_START[C2D_PARTS * (tile + 1)] - C2D_TILE_START[C2D_PARTS * tile];
     const bool fits = own.x < own.y && c2d_fits(own.y - own.x, contacts);
     for (int m = own.x + (int)get_local_id(0); m < (fits ? own.y : 0); m += (int)get_local_size(0)) {
-        turn[members[m]] = m - own.x;
+        C2D_TURN_OF[C2D_MEMBERS[m]] = m - own.x;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_batch_order_tile(tile, other, byTile, tint, capacity, batch, pairs, tileStart, tileColours, stalled, fits, turn,
-                         counts);
+    c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_SOLVED, C2D_TILE_START,
+                         C2D_TILE_COLOURS, stalled, fits, C2D_TURN_OF, counts);
 }

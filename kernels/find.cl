@@ -7,6 +7,10 @@
 #define C2D_FIND                                                                                                       \
     __global const float8 *body, __global const int8 *levels, __global const float *rule, __global const uint *status,   \
         int circles, __global int *listStart, __global int *filled, __global int *other, __global int2 *found
+#define C2D_FILLED C2D_AT(int, kicked)
+#define C2D_FOUND C2D_AT(int2, memory)
+#define C2D_FIND_HERE                                                                                                  \
+    C2D_BODY, C2D_LEVEL_TABLE, C2D_RULE, status, world.circles, C2D_LIST_START, C2D_FILLED, C2D_OTHER, C2D_FOUND
 
 // Whether two circles may touch within the horizon, in which gravity can part them by `fall`; the same whichever comes first.
 static bool c2d_near(float8 a, float8 b, __global const float *rule, float horizon, float fall) {
@@ -22,10 +26,9 @@ static bool c2d_near(float8 a, float8 b, __global const float *rule, float horiz
 
 // After a detection that stalled, where there were more pairs than room: puts the circles back to where they were before it,
 // for what is kept has taken their place.
-__kernel void c2d_find_restore(__global const float8 *body, __global const int *from, int circles,
-                               __global float8 *bodyBefore) {
+__kernel void c2d_find_restore(C2D_WORLD) {
     const int p = (int)get_global_id(0);
-    if (p < circles) {
-        bodyBefore[from[p]] = body[p];
+    if (p < world.circles) {
+        C2D_AT(float8, bodyBefore)[C2D_FROM[p]] = C2D_BODY[p];
     }
 }

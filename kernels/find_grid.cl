@@ -4,6 +4,7 @@
 // circles were before they were sorted, the other circle, or its complement where that one is smaller and lists the pair; how
 // many there were is at the start of `filled`.
 #define C2D_KEPT 8
+#define C2D_KEPT_PAIRS C2D_AT(int, bodyBefore)
 
 // Puts circle j into the list of circle i, which fills up from its `end`; returns what is still free.
 static int c2d_find_put(int i, int j, int free, int end, bool folded, __global int *other, __global int2 *found) {
@@ -86,34 +87,33 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
     }
 }
 
-__kernel void c2d_find_count(C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall) {
+__kernel void c2d_find_count(C2D_WORLD, float horizon, float fall) {
     const int i = (int)get_global_id(0);
-    if (i < circles && status[C2D_STALLED] == 0u) {
-        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, kept,
-                        horizon, fall, false);
+    if (i < world.circles && status[C2D_STALLED] == 0u) {
+        c2d_find_around(i, C2D_FIND_HERE, C2D_BUCKET_START, C2D_KEPT_PAIRS, horizon, fall, false);
     }
 }
 
-__kernel void c2d_find_fill(C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall) {
+__kernel void c2d_find_fill(C2D_WORLD, float horizon, float fall) {
     const int i = (int)get_global_id(0);
+    const int circles = world.circles;
     if (i >= circles || status[C2D_STALLED] != 0u) {
         return;
     }
-    const int pairs = filled[i];
+    const int pairs = C2D_FILLED[i];
     if (pairs > C2D_KEPT) {
-        c2d_find_around(i, body, levels, rule, status, circles, listStart, filled, other, found, bucketStart, kept,
-                        horizon, fall, true);
+        c2d_find_around(i, C2D_FIND_HERE, C2D_BUCKET_START, C2D_KEPT_PAIRS, horizon, fall, true);
         return;
     }
-    const bool folded = pairs > 0 && c2d_is_folded(levels[1 + c2d_cell(body[i], levels, rule).z]);
-    const int end = listStart[i + 1];
+    const bool folded = pairs > 0 && c2d_is_folded(C2D_LEVEL_TABLE[1 + c2d_cell(C2D_BODY[i], C2D_LEVEL_TABLE, C2D_RULE).z]);
+    const int end = C2D_LIST_START[i + 1];
     int free = end;
     for (int k = 0; k < pairs; k++) {
-        const int j = kept[k * circles + i];
+        const int j = C2D_KEPT_PAIRS[k * circles + i];
         if (j >= 0) {
-            free = c2d_find_put(i, j, free, end, folded, other, found);
+            free = c2d_find_put(i, j, free, end, folded, C2D_OTHER, C2D_FOUND);
         } else {
-            c2d_find_put_smaller(i, ~j, circles, listStart, filled, found);
+            c2d_find_put_smaller(i, ~j, circles, C2D_LIST_START, C2D_FILLED, C2D_FOUND);
         }
     }
 }

@@ -30,12 +30,10 @@ static void c2d_find_pair(C2D_FIND, __global const int2 *table, ulong first, ulo
     }
 }
 
-__kernel void c2d_find_count(C2D_FIND, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall) {
-    c2d_find_pair(body, levels, rule, status, circles, listStart, filled, other, found, table, first, pairs, horizon,
-                  fall, false);
+__kernel void c2d_find_count(C2D_WORLD, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall) {
+    c2d_find_pair(C2D_FIND_HERE, table, first, pairs, horizon, fall, false);
 }
 
-__kernel void c2d_find_fill(C2D_FIND, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall) {
-    c2d_find_pair(body, levels, rule, status, circles, listStart, filled, other, found, table, first, pairs, horizon,
-                  fall, true);
+__kernel void c2d_find_fill(C2D_WORLD, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall) {
+    c2d_find_pair(C2D_FIND_HERE, table, first, pairs, horizon, fall, true);
 }

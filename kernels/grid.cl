@@ -16,16 +16,21 @@ static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *ti
     }
 }
 
+// By place at the detection before: the bucket of a circle, and then the turn of each in its bucket.
+#define C2D_BUCKET C2D_AT(int, kicked)
+// The circles by bucket, in no order.
+#define C2D_UNSORTED C2D_AT(int, other)
+#define C2D_BODY_BEFORE C2D_AT(float8, bodyBefore)
+#define C2D_ID_BEFORE C2D_AT(const int, idBefore)
+
 // The first launch of a detection.
-__kernel void c2d_grid_clear(__global int *bucketStart, __global int *tileStart, __global uint *status, int cells,
-                             int tiles) {
+__kernel void c2d_grid_clear(C2D_WORLD, int cells, int tiles) {
     if (status[C2D_STALLED] == 0u) {
-        c2d_grid_clear_at((int)get_global_id(0), bucketStart, tileStart, status, cells, tiles);
+        c2d_grid_clear_at((int)get_global_id(0), C2D_BUCKET_START, C2D_TILE_START, status, cells, tiles);
     }
 }
 
-// Counts the circles of each bucket, one place up, so that the sums of the counts are where buckets begin. `before`: in the
-// order of the last detection. `bucket`: that of each circle, and then the turn of each in its bucket.
+// Counts the circles of each bucket, one place up, so that the sums of the counts are where buckets begin.
 static void c2d_grid_bin_at(int i, __global const float8 *bodyBefore, __global const int8 *levels,
                             __global const float *rule, int circles, __global int *bucket, __global int *bucketStart) {
     const int4 cell = c2d_cell(bodyBefore[i], levels, rule);
@@ -35,11 +40,10 @@ static void c2d_grid_bin_at(int i, __global const float8 *bodyBefore, __global c
     bucket[circles + i] = atomic_inc(&bucketStart[own + 1]);
 }
 
-__kernel void c2d_grid_bin(__global const float8 *bodyBefore, __global const int8 *levels, __global const float *rule,
-                           __global const uint *status, int circles, __global int *bucket, __global int *bucketStart) {
+__kernel void c2d_grid_bin(C2D_WORLD) {
     const int i = (int)get_global_id(0);
-    if (i < circles && status[C2D_STALLED] == 0u) {
-        c2d_grid_bin_at(i, bodyBefore, levels, rule, circles, bucket, bucketStart);
+    if (i < world.circles && status[C2D_STALLED] == 0u) {
+        c2d_grid_bin_at(i, C2D_BODY_BEFORE, C2D_LEVEL_TABLE, C2D_RULE, world.circles, C2D_BUCKET, C2D_BUCKET_START);
     }
 }
 
@@ -48,16 +52,14 @@ static void c2d_grid_scatter_at(int i, __global const int *bucket, __global cons
     unsorted[bucketStart[bucket[i]] + bucket[circles + i]] = i;
 }
 
-__kernel void c2d_grid_scatter(__global const int *bucket, __global const int *bucketStart, __global const uint *status,
-                               int circles, __global int *unsorted) {
+__kernel void c2d_grid_scatter(C2D_WORLD) {
     const int i = (int)get_global_id(0);
-    if (i < circles && status[C2D_STALLED] == 0u) {
-        c2d_grid_scatter_at(i, bucket, bucketStart, circles, unsorted);
+    if (i < world.circles && status[C2D_STALLED] == 0u) {
+        c2d_grid_scatter_at(i, C2D_BUCKET, C2D_BUCKET_START, world.circles, C2D_UNSORTED);
     }
 }
 
-// Also empties the lists; turns are no longer needed, so that they can count how far a list is filled. `from`: the place at
-// the detection before.
+// Also empties the lists; turns are no longer needed, so that they can count how far a list is filled.
 static void c2d_grid_order_at(int p, __global const int *unsorted, __global int *bucket,
                               __global const int *bucketStart, __global const float8 *bodyBefore,
                               __global const int *idBefore, int circles, __global float8 *body, __global int *id,
@@ -80,12 +82,10 @@ static void c2d_grid_order_at(int p, __global const int *unsorted, __global int 
     }
 }
 
-__kernel void c2d_grid_order(__global const int *unsorted, __global int *bucket, __global const int *bucketStart,
-                             __global const float8 *bodyBefore, __global const int *idBefore,
-                             __global const uint *status, int circles, __global float8 *body, __global int *id,
-                             __global int *from, __global int *listStart) {
+__kernel void c2d_grid_order(C2D_WORLD) {
     const int p = (int)get_global_id(0);
-    if (p < circles && status[C2D_STALLED] == 0u) {
-        c2d_grid_order_at(p, unsorted, bucket, bucketStart, bodyBefore, idBefore, circles, body, id, from, listStart);
+    if (p < world.circles && status[C2D_STALLED] == 0u) {
+        c2d_grid_order_at(p, C2D_UNSORTED, C2D_BUCKET, C2D_BUCKET_START, C2D_BODY_BEFORE, C2D_ID_BEFORE, world.circles,
+                          C2D_BODY, C2D_ID, C2D_FROM, C2D_LIST_START);
     }
 }

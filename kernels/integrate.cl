@@ -54,12 +54,18 @@ static c2d_axis c2d_small_move(c2d_axis a, int axis, float radius, float w, floa
     const float high = C2D_MAX(axis) - a.position - radius;
     // most circles are near none, and what is remembered of walls lies far apart in memory
     if (c2d_near_wall(a, 1.0f, low, radius, rule) || c2d_near_wall(a, -1.0f, high, radius, rule)) {
-        const float gain = C2D_GAIN(axis);
         const float2 was = *walls;
-        float2 memoryLow = c2d_of_wall(was, 1.0f);
-        float2 memoryHigh = c2d_of_wall(was, -1.0f);
-        a = c2d_small_wall(a, 1.0f, low, radius, w, kicked, carried, gain, &memoryLow, rule);
-        a = c2d_small_wall(a, -1.0f, high, radius, w, kicked, carried, gain, &memoryHigh, rule);
+        float2 memoryLow = (float2)(0.0f, 0.0f);
+        float2 memoryHigh = memoryLow;
+        // one after the other: compilers take their time over what they unroll
+#pragma unroll 1
+        for (int side = 0; side < 2; side++) {
+            const float sign = side == 0 ? 1.0f : -1.0f;
+            float2 memory = c2d_of_wall(was, sign);
+            a = c2d_small_wall(a, sign, side == 0 ? low : high, radius, w, kicked, carried, C2D_GAIN(axis), &memory, rule);
+            memoryLow = side == 0 ? memory : memoryLow;
+            memoryHigh = memory;
+        }
         const float2 now = c2d_of_walls(memoryLow, memoryHigh);
         if (now.x != was.x || now.y != was.y) {
             *walls = now;
@@ -92,7 +98,9 @@ static c2d_axis c2d_small_kick(c2d_axis a, int axis, float slowed, __global cons
 #define C2D_CIRCLES                                                                                                    \
     __global float8 *body, __global const int *id, __global float2 *kicked, __global float2 *walls,                      \
         __global const float *rule
+#define C2D_CIRCLES_HERE C2D_BODY, C2D_ID, C2D_KICKED, C2D_WALLS, C2D_RULE
 
+// Of circle i: the end of a substep, `move`, the start of one, `kick`, or both.
 static float8 c2d_integrated(int i, bool move, bool kick, C2D_CIRCLES) {
     const float8 b = body[i];
     c2d_axis x = {b.s0, b.s2, b.s4};
@@ -113,45 +121,43 @@ static float8 c2d_integrated(int i, bool move, bool kick, C2D_CIRCLES) {
     return (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
 }
 
-// The end of a substep, the start of one, or both.
-__kernel void c2d_integrate(C2D_CIRCLES, __global const uint *status, int circles, int move, int kick) {
+// The end of a substep.
+__kernel void c2d_integrate(C2D_WORLD) {
     const int i = (int)get_global_id(0);
-    if (i < circles && status[C2D_STALLED] == 0u) {
-        body[i] = c2d_integrated(i, move, kick, body, id, kicked, walls, rule);
+    if (i < world.circles && status[C2D_STALLED] == 0u) {
+        C2D_BODY[i] = c2d_integrated(i, true, false, C2D_CIRCLES_HERE);
     }
 }
 
 // After an upload: what is new of the circles, `old` of which have a place already; the others come last.
-__kernel void c2d_load(__global const float4 *circle, __global const float2 *velocities, int old, int circles,
-                       __global float8 *body, __global int *id, __global int *listStart) {
+__kernel void c2d_load(C2D_WORLD, __global const float4 *circle, __global const float2 *velocities, int old) {
     const int i = (int)get_global_id(0);
-    if (i >= circles) {
+    if (i >= world.circles) {
         return;
     }
     const bool known = i < old;
-    const int number = known ? id[i] : i;
+    const int number = known ? C2D_ID[i] : i;
     const float4 c = circle[number];
     const float2 v = velocities[number];
-    const float2 kick = known ? body[i].s45 : (float2)(0.0f, 0.0f);
-    body[i] = (float8)(c.x, c.y, v.x, v.y, kick.x, kick.y, c.z, 1.0f / c.w);
+    const float2 kick = known ? C2D_BODY[i].s45 : (float2)(0.0f, 0.0f);
+    C2D_BODY[i] = (float8)(c.x, c.y, v.x, v.y, kick.x, kick.y, c.z, 1.0f / c.w);
     if (!known) {
-        id[i] = i;
-        listStart[i + 1] = listStart[old];
+        C2D_ID[i] = i;
+        C2D_LIST_START[i + 1] = C2D_LIST_START[old];
     }
 }
 
 // The end of a step: that of its last substep, then the circles by number, and the highest speed, in radii a second.
-__kernel void c2d_publish(C2D_CIRCLES, __global uint *status, int circles, __global float4 *circle,
-                          __global float2 *velocities, __local uint *fastest) {
+__kernel void c2d_publish(C2D_WORLD, __global float4 *circle, __global float2 *velocities, __local uint *fastest) {
     const int i = (int)get_global_id(0);
     if (get_local_id(0) == 0) {
         *fastest = 0u;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (i < circles && status[C2D_STALLED] == 0u) {
-        const float8 b = c2d_integrated(i, true, false, body, id, kicked, walls, rule);
-        body[i] = b;
-        const int to = id[i];
+    if (i < world.circles && status[C2D_STALLED] == 0u) {
+        const float8 b = c2d_integrated(i, true, false, C2D_CIRCLES_HERE);
+        C2D_BODY[i] = b;
+        const int to = C2D_ID[i];
         circle[to].xy = b.s01;
         velocities[to] = b.s23;
         // positive floats compare as their bits do

@@ -2,8 +2,12 @@
 // Twin of host.Match.
 
 // Orders what find put at the start of lists, whoever came first: those of smaller circles, or, of an index strategy, all.
-__kernel void c2d_match_order(__global const int2 *found, __global const int *filled, __global const int *listStart,
-                              __global const uint *status, int circles, __global int *other) {
+__kernel void c2d_match_order(C2D_WORLD) {
+    __global const int2 *found = C2D_FOUND;
+    __global const int *filled = C2D_FILLED;
+    __global const int *listStart = C2D_LIST_START;
+    __global int *other = C2D_OTHER;
+    const int circles = world.circles;
     const int contacts = status[C2D_STALLED] != 0u ? 0 : listStart[circles];
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
         const int2 own = found[k];
@@ -38,26 +42,29 @@ static int c2d_remembered(int i, int j, __global const int *listStartBefore, __g
 
 // `memory` holds what find has found of each contact, and then what is remembered of it; `batch` begins with the circle in
 // whose list it is.
-__kernel void c2d_match(__global const int *from, __global const int *listStart, __global const int *other,
-                        __global uint *status, int circles, __global const int *listStartBefore,
-                        __global const int *otherBefore, __global const int2 *memoryBefore, __global int2 *memory,
-                        __global int *batch) {
+__kernel void c2d_match(C2D_WORLD) {
+    __global const int *from = C2D_FROM;
+    __global const int *listStart = C2D_LIST_START;
+    __global const int *listStartBefore = C2D_AT(const int, listStartBefore);
+    __global const int *otherBefore = C2D_AT(const int, otherBefore);
+    __global const int2 *memoryBefore = C2D_AT(const int2, memoryBefore);
+    __global int2 *memory = C2D_FOUND;
     if (status[C2D_STALLED] != 0u) {
         return;
     }
-    const int contacts = listStart[circles];
+    const int contacts = listStart[world.circles];
     if (get_global_id(0) == 0) {
         status[C2D_UPDATES] += 1u;
     }
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
         const int lists = memory[k].y;
         const int i = from[lists];
-        const int j = from[other[k]];
+        const int j = from[C2D_OTHER[k]];
         int old = c2d_remembered(i, j, listStartBefore, otherBefore);
         if (old < 0) {
             old = c2d_remembered(j, i, listStartBefore, otherBefore);
         }
         memory[k] = old < 0 ? (int2)(0, 0) : memoryBefore[old];
-        batch[k] = lists;
+        C2D_BATCH[k] = lists;
     }
 }

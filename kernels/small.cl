@@ -10,6 +10,60 @@
 // `other[listStart[place]]` up to `other[listStart[place + 1]]`, the places of the other circles, ascending; with each goes
 // `memory`, the impulse to come and the last one (-1 after a bounce).
 
+// All of that is in one buffer, for a launch takes longer with every buffer that it gets: a kernel gets the `heap`, the status, and a
+// c2d_world, which says where the parts of the heap begin, in units of 32 bytes. Twin: opencl.Heap. `Before`: those of the
+// detection before. What a part holds while it is not needed for that, the macros below and kernels/batch.cl say.
+typedef struct {
+    uint body;
+    uint bodyBefore;
+    uint id;
+    uint idBefore;
+    uint listStart;
+    uint listStartBefore;
+    uint other;
+    uint otherBefore;
+    uint memory;
+    uint memoryBefore;
+    uint walls;
+    uint kicked;
+    uint from;
+    uint bucketStart;
+    uint partSums;
+    uint levels;
+    uint tilings;
+    uint tileStart;
+    uint tileColours;
+    uint rule;
+    int circles;
+    // Contacts that there is room for.
+    int capacity;
+} c2d_world;
+
+#define C2D_WORLD __global uchar *heap, __global uint *status, const c2d_world world
+#define C2D_AT(type, part) ((__global type *)(heap + 32ul * world.part))
+
+#define C2D_BODY C2D_AT(float8, body)
+#define C2D_ID C2D_AT(int, id)
+#define C2D_LIST_START C2D_AT(int, listStart)
+#define C2D_OTHER C2D_AT(int, other)
+#define C2D_MEMORY C2D_AT(float2, memory)
+#define C2D_WALLS C2D_AT(float2, walls)
+#define C2D_KICKED C2D_AT(float2, kicked)
+// By place: the place at the detection before.
+#define C2D_FROM C2D_AT(int, from)
+#define C2D_BUCKET_START C2D_AT(int, bucketStart)
+#define C2D_LEVEL_TABLE C2D_AT(const int8, levels)
+#define C2D_TILING_TABLE C2D_AT(const int8, tilings)
+#define C2D_TILE_START C2D_AT(int, tileStart)
+#define C2D_TILE_COLOURS C2D_AT(int, tileColours)
+#define C2D_RULE C2D_AT(const float, rule)
+// Once a detection has what it needs of the one before, the parts of that one hold the order of solving: kernels/batch.cl.
+#define C2D_BATCH C2D_AT(int, bodyBefore)
+#define C2D_BY_TILE C2D_AT(int, otherBefore)
+#define C2D_MEMBERS C2D_AT(int, idBefore)
+#define C2D_TINT C2D_AT(ushort, listStartBefore)
+#define C2D_SOLVED C2D_AT(int2, memoryBefore)
+
 // The numbers of a substep, in `rule`.
 #define C2D_TIME rule[0]
 #define C2D_PER_TIME rule[1]

@@ -5,102 +5,137 @@
     C2D_CIRCLES, __global float2 *memory, __global const int2 *pairs, int capacity, __global const int *batch,           \
         __global const int *tileStart, __global const int *tileColours, __global const uint *status
 #define C2D_SOLVE_HERE                                                                                                 \
-    body, id, kicked, walls, rule, memory, pairs, capacity, batch, tileStart, tileColours, status
+    C2D_CIRCLES_HERE, C2D_MEMORY, C2D_SOLVED, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS, status
 
-// The contacts of a tile, a colour at a time, by one work-group.
+// The contacts of a tile, a colour at a time, by one work-group. A work-item reads where its next contact is, and what is remembered
+// of it, before it solves this one: nobody else changes that.
 static void c2d_solve_tile(int tile, C2D_SOLVE) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
     const int first = tileStart[C2D_PARTS * tile];
     const int end = tileStart[C2D_PARTS * (tile + 1)];
     const int colours = status[C2D_STALLED] != 0u || first == end ? 0 : tileColours[tile];
     const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *index = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
-    for (int colour = 0; colour < colours; colour++) {
-        const int stop = colour + 1 < colours ? colourStart[colour + 1] : end;
-        for (int e = colourStart[colour] + (int)get_local_id(0); e < stop; e += (int)get_local_size(0)) {
-            const int2 pair = pairs[e];
-            const int k = index[e];
-            float8 a = body[pair.x];
-            float8 b = body[pair.y];
-            float2 remembered = memory[k];
-            if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
-                body[pair.x] = a;
-                body[pair.y] = b;
-                memory[k] = remembered;
+    int2 nextPair = (int2)(0, 0);
+    int nextIndex = 0;
+    float2 nextMemory = (float2)(0.0f, 0.0f);
+    if (colours > 0 && first + item < end) {
+        nextPair = pairs[first + item];
+        nextIndex = index[first + item];
+        nextMemory = memory[nextIndex];
+    }
+    int stop = colours > 1 ? colourStart[1] : end;
+    for (int colour = 0, from = first; colour < colours; colour++) {
+        const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
+        for (; from < stop; from += items) {
+            const int2 pair = nextPair;
+            const int k = nextIndex;
+            float2 remembered = nextMemory;
+            const int next = min(from + items, stop) + item;
+            if (next < nextStop) {
+                nextPair = pairs[next];
+                nextIndex = index[next];
+                nextMemory = memory[nextIndex];
+            }
+            if (from + item < stop) {
+                float8 a = body[pair.x];
+                float8 b = body[pair.y];
+                if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
+                    body[pair.x] = a;
+                    body[pair.y] = b;
+                    memory[k] = remembered;
+                }
             }
         }
+        from = stop;
+        stop = nextStop;
         barrier(CLK_GLOBAL_MEM_FENCE);
     }
 }
 
-// A tiling, one work-group a tile.
-__kernel void c2d_solve(C2D_SOLVE, int firstTile) { c2d_solve_tile(firstTile + (int)get_group_id(0), C2D_SOLVE_HERE); }
-
-// A tile that fits into local memory: `bodies` and `places` of its circles, what is `remembered` of its contacts and whether that
-// has changed. Each is read and written once, those of a row together, whatever the colours are.
-static void c2d_solve_local(int tile, int2 own, int moves, C2D_SOLVE, __global const int *members,
-                            __global const int *byTile, __local float8 *bodies, __local int *places,
-                            __local float2 *remembered, __local uchar *changed) {
+// A tile that fits into local memory: `motion` and `rest` of its circles, the halves of a body, their `places`, and what is
+// `remembered` of its contacts. Each is read and written once, those of a row together, whatever the colours are.
+static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global const int *members,
+                            __global const int *byTile, __local float4 *motion, __local float4 *rest, __local int *places,
+                            __local float2 *remembered) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const int first = tileStart[C2D_PARTS * tile];
-    const int contacts = tileStart[C2D_PARTS * (tile + 1)] - first;
-    const int colours = contacts > 0 ? tileColours[tile] : 0;
+    const int end = tileStart[C2D_PARTS * (tile + 1)];
+    const int colours = first < end ? tileColours[tile] : 0;
     const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *colourStart = batch + 2 * capacity + first;
-    for (int c = item; c < contacts; c += items) {
-        remembered[c] = memory[byTile[first + c]];
-        changed[c] = 0;
+    for (int e = first + item; e < end; e += items) {
+        remembered[e - first] = memory[byTile[e]];
     }
     for (int m = item; m < own.y - own.x; m += items) {
         const int place = members[own.x + m];
+        const float8 b = c2d_integrated(place, moves, true, body, id, kicked, walls, rule);
+        motion[m] = b.s0123;
+        rest[m] = b.s4567;
         places[m] = place;
-        bodies[m] = c2d_integrated(place, moves, true, body, id, kicked, walls, rule);
     }
+    int2 nextPair = first + item < end ? pairs[first + item] : (int2)(0, 0);
+    int stop = colours > 1 ? colourStart[1] : end;
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    for (int colour = 0; colour < colours; colour++) {
-        const int stop = colour + 1 < colours ? colourStart[colour + 1] : first + contacts;
-        for (int e = colourStart[colour] + item; e < stop; e += items) {
-            const int2 pair = pairs[e];
-            const int turnA = pair.x & ((1 << C2D_TURN_BITS) - 1);
-            const int turnB = pair.x >> C2D_TURN_BITS;
-            float8 a = bodies[turnA];
-            float8 b = bodies[turnB];
-            float2 now = remembered[pair.y];
-            if (c2d_visit(&a, &b, &now, places[turnA], places[turnB], id, kicked, numbers)) {
-                bodies[turnA] = a;
-                bodies[turnB] = b;
-                remembered[pair.y] = now;
-                changed[pair.y] = 1;
+    for (int colour = 0, from = first; colour < colours; colour++) {
+        const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
+        for (; from < stop; from += items) {
+            const int2 pair = nextPair;
+            const int next = min(from + items, stop) + item;
+            if (next < nextStop) {
+                nextPair = pairs[next];
+            }
+            if (from + item < stop) {
+                const int i = pair.x & ((1 << C2D_TURN_BITS) - 1);
+                const int j = pair.x >> C2D_TURN_BITS;
+                float8 a = (float8)(motion[i], rest[i]);
+                float8 b = (float8)(motion[j], rest[j]);
+                float2 now = remembered[pair.y];
+                if (c2d_visit(&a, &b, &now, places[i], places[j], id, kicked, numbers)) {
+                    motion[i] = a.s0123;
+                    rest[i] = a.s4567;
+                    motion[j] = b.s0123;
+                    rest[j] = b.s4567;
+                    remembered[pair.y] = now;
+                }
             }
         }
+        from = stop;
+        stop = nextStop;
         barrier(CLK_LOCAL_MEM_FENCE);
     }
     for (int m = item; m < own.y - own.x; m += items) {
-        body[places[m]] = bodies[m];
+        body[places[m]] = (float8)(motion[m], rest[m]);
     }
-    for (int c = item; c < contacts; c += items) {
-        if (changed[c] != 0) {
-            memory[byTile[first + c]] = remembered[c];
-        }
+    for (int e = first + item; e < end; e += items) {
+        memory[byTile[e]] = remembered[e - first];
     }
 }
 
-// The first tiling, which begins with the circles' own share. `moves`: a substep comes before this one. `members`: the circles
-// of each tile.
-__kernel void c2d_solve_first(C2D_SOLVE, __global const int *members, __global const int *byTile, int tiles, int moves,
-                              __local float8 *bodies, __local int *places, __local float2 *remembered,
-                              __local uchar *changed) {
-    const int tile = (int)get_group_id(0);
+// What comes before the contacts of a tiling: nothing; the start of a substep; the end of one and the start of the next.
+#define C2D_NOTHING 0
+#define C2D_KICK 1
+#define C2D_MOVE_AND_KICK 2
+
+// A tiling, one work-group a tile. The first one begins with the circles' own share.
+__kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float4 *motion, __local float4 *rest,
+                        __local int *places, __local float2 *remembered) {
+    const int tile = firstTile + (int)get_group_id(0);
     const bool stalled = status[C2D_STALLED] != 0u;
-    const int2 own = stalled ? (int2)(0, 0) : c2d_members(tile, tiles, tileStart);
-    const int contacts = stalled ? 0 : tileStart[C2D_PARTS * (tile + 1)] - tileStart[C2D_PARTS * tile];
-    if (c2d_fits(own.y - own.x, contacts)) {
-        c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, members, byTile, bodies, places, remembered, changed);
-        return;
-    }
-    for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {
-        body[members[m]] = c2d_integrated(members[m], moves, true, body, id, kicked, walls, rule);
+    const bool moves = begins == C2D_MOVE_AND_KICK;
+    if (begins != C2D_NOTHING && !stalled) {
+        const int2 own = c2d_members(tile, tiles, C2D_TILE_START);
+        if (c2d_fits(own.y - own.x, C2D_TILE_START[C2D_PARTS * (tile + 1)] - C2D_TILE_START[C2D_PARTS * tile])) {
+            c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, C2D_MEMBERS, C2D_BY_TILE, motion, rest, places, remembered);
+            return;
+        }
+        for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {
+            const int i = C2D_MEMBERS[m];
+            C2D_BODY[i] = c2d_integrated(i, moves, true, C2D_CIRCLES_HERE);
+        }
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_solve_tile(tile, C2D_SOLVE_HERE);
@@ -111,20 +146,20 @@ static float2 c2d_rescaled(float come, float last, float ratio) {
 }
 
 // What impulses are worth in substeps of another time. One work-item a circle, going round where contacts are more.
-__kernel void c2d_rescale(__global float8 *body, __global float2 *walls, __global float2 *memory,
-                          __global const int *listStart, int circles, __global const float *rule) {
+__kernel void c2d_rescale(C2D_WORLD) {
+    __global const float *rule = C2D_RULE;
     const float ratio = C2D_RESCALE;
     const int i = (int)get_global_id(0);
-    const int contacts = listStart[circles];
+    const int contacts = C2D_LIST_START[world.circles];
     for (int k = i; k < contacts; k += (int)get_global_size(0)) {
-        memory[k] = c2d_rescaled(memory[k].x, memory[k].y, ratio);
+        C2D_MEMORY[k] = c2d_rescaled(C2D_MEMORY[k].x, C2D_MEMORY[k].y, ratio);
     }
-    if (i < circles) {
+    if (i < world.circles) {
         for (int axis = 2 * i; axis < 2 * i + 2; axis++) {
-            const float2 wall = walls[axis];
-            walls[axis] = (float2)(wall.x * ratio, fabs(wall.y) < C2D_BOUNCED ? wall.y * ratio : wall.y);
+            const float2 wall = C2D_WALLS[axis];
+            C2D_WALLS[axis] = (float2)(wall.x * ratio, fabs(wall.y) < C2D_BOUNCED ? wall.y * ratio : wall.y);
         }
-        body[i].s4 *= ratio;
-        body[i].s5 *= ratio;
+        C2D_BODY[i].s4 *= ratio;
+        C2D_BODY[i].s5 *= ratio;
     }
 }

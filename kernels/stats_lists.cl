@@ -1,8 +1,11 @@
 // What stats.cl is for the contacts of Solver.SMALL_STEPS, as they are after the step. One work-item for the lists of C2D_PART
 // circles.
 
-__kernel void c2d_stats_lists(__global const float8 *body, __global const int *listStart, __global const int *other,
-                              int circles, __global uint4 *parts) {
+__kernel void c2d_stats_lists(C2D_WORLD, __global uint4 *parts) {
+    __global const float8 *body = C2D_BODY;
+    __global const int *listStart = C2D_LIST_START;
+    __global const int *other = C2D_OTHER;
+    const int circles = world.circles;
     const int part = (int)get_global_id(0);
     if (part >= (circles + C2D_PART - 1) / C2D_PART) {
         return;

@@ -70,8 +70,9 @@ public final class StageTimes {
         }
         boolean small = config.solver() == Solver.SMALL_STEPS;
         try (DeviceState stages = small ? new OpenClSmallStages(device, config) : new OpenClStages(device, config)) {
-            Stepper stepper =
-                    small ? new SmallPipeline(settling, (OpenClSmallStages) stages) : new Pipeline((OpenClStages) stages);
+            Stepper stepper = small
+                    ? new SmallPipeline(settling, (OpenClSmallStages) stages)
+                    : new Pipeline((OpenClStages) stages);
             stepper.upload(circle, velocities, circles, maxRadius);
             for (int step = 0; step < before; step++) {
                 stepper.step();

@@ -15,45 +15,13 @@ final class Alone {
     }
 
     void bind(SmallWorld world) {
-        SmallBuffers buffers = world.buffers();
-        DeviceBuffer status = world.state().status;
-        Turn now = world.now();
-        Turn before = world.before();
+        Object[] known = world.known();
         int tilings = world.tiles().tilings;
-        int circles = world.circles();
         grid.range(1, world.oneGroup())
-                .arguments(
-                        before.body,
-                        before.id,
-                        buffers.levels,
-                        buffers.rule,
-                        status,
-                        circles,
-                        world.levels().cells,
-                        Tiles.PARTS * tilings,
-                        buffers.bucketStart,
-                        buffers.tileStart,
-                        buffers.kicked,
-                        now.other,
-                        now.body,
-                        now.id,
-                        buffers.from,
-                        now.listStart,
-                        new Kernel.Local(4L * grid.group()));
+                .arguments(known, world.levels().cells, Tiles.PARTS * tilings, new Kernel.Local(4L * grid.group()));
         batch.range(1, world.oneGroup())
-                .arguments(
-                        Batch.contacts(world, 1),
-                        now.body,
-                        buffers.tilings,
-                        buffers.rule,
-                        circles,
-                        tilings,
-                        buffers.tileStart,
-                        before.other,
-                        before.memory,
-                        buffers.tileColours,
-                        new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)));
-        solve.range(1, world.oneGroup()).arguments(Solve.known(world), circles, tilings);
+                .arguments(known, Tiles.PARTS, tilings, new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)));
+        solve.range(1, world.oneGroup()).arguments(known, tilings);
     }
 
     void grid() {

@@ -32,85 +32,30 @@ final class Batch {
         order = new Kernel(session, program, "c2d_batch_order");
     }
 
-    /**
-     * What every kernel that colours begins with, {@code C2D_BATCH_COLOUR}.
-     *
-     * @param firstTiles tiles of the first tiling
-     */
-    static Object[] contacts(SmallWorld world, int firstTiles) {
-        SmallBuffers buffers = world.buffers();
-        Turn now = world.now();
-        Turn free = world.before();
-        return new Object[] {
-            now.listStart,
-            now.other,
-            buffers.bucketStart,
-            buffers.levels,
-            world.state().status,
-            buffers.capacity(),
-            free.body,
-            buffers.kicked,
-            buffers.from,
-            free.listStart,
-            Tiles.PARTS * firstTiles
-        };
-    }
-
     void bind(SmallWorld world) {
-        SmallBuffers buffers = world.buffers();
-        Turn now = world.now();
-        Turn free = world.before();
-        DeviceBuffer status = world.state().status;
-        int capacity = buffers.capacity();
+        Object[] known = world.known();
         Tiles tiles = world.tiles();
-        int fused = world.fused() ? 1 : 0;
-        Object[] known = {
-            now.body, buffers.levels, buffers.tilings, buffers.rule, status, world.circles(), now.listStart
-        };
-        count.arguments(known, now.other, capacity, tiles.tiles, fused, free.body, buffers.tileStart, buffers.from)
-                .range(world.contacts(), world.group());
-        scan.bind(world, buffers.tileStart, (world.fused() ? tiles.parts() : Tiles.PARTS * tiles.tiles) + 1, -1);
-        fill.arguments(
-                        known,
-                        capacity,
-                        tiles.tiles,
-                        fused,
-                        free.body,
-                        buffers.tileStart,
-                        buffers.from,
-                        free.other,
-                        free.id,
-                        buffers.kicked)
-                .range(world.contacts(), world.group());
+        count.arguments(known, tiles.tiles).range(world.contacts(), world.group());
+        scan.bind(world, Heap.TILE_START, tiles.parts() + 1, false);
+        fill.arguments(known, tiles.tiles).range(world.contacts(), world.group());
         Levels levels = world.levels();
-        Object[] contacts = contacts(world, tiles.first(1));
         int wide = world.config().smallWorld() > 0 ? wideLevels(levels) : levels.count;
         launches = 0;
         for (int level = 0; level < wide; level++) {
-            bindLevel(world, contacts, level);
+            bindLevel(world, known, level);
         }
         hasFew = wide < levels.count;
-        few.arguments(contacts, wide, levels.count).range(1, world.oneGroup());
-        order.arguments(
-                        now.other,
-                        free.other,
-                        free.listStart,
-                        capacity,
-                        free.body,
-                        free.memory,
-                        buffers.tileStart,
-                        buffers.tileColours,
-                        status,
-                        tiles.first(1),
-                        tiles.tiles,
-                        fused,
-                        free.id,
-                        buffers.from,
-                        new Kernel.Local(COUNTS))
-                .groups(tiles.tiles, world.tileGroup());
+        few.arguments(known, others(tiles), wide, levels.count).range(1, world.oneGroup());
+        order.arguments(known, tiles.first(1), tiles.tiles, new Kernel.Local(COUNTS))
+                .groups(tiles.tiles, world.firstTileGroup());
     }
 
-    private void bindLevel(SmallWorld world, Object[] contacts, int level) {
+    /** The first part of the tiles of the second tiling. */
+    private static int others(Tiles tiles) {
+        return Tiles.PARTS * tiles.first(1);
+    }
+
+    private void bindLevel(SmallWorld world, Object[] known, int level) {
         int rows = Levels.rows(level);
         for (int which = 0; which < 3 * rows; which++) {
             int x = which % 3;
@@ -121,7 +66,7 @@ final class Batch {
                 colours.add(new Kernel(session, program, "c2d_batch_colour"));
             }
             colours.get(launches++)
-                    .arguments(contacts, level, x, y, rows, across, buckets)
+                    .arguments(known, others(world.tiles()), level, x, y, rows, across, buckets)
                     .range(buckets, Math.min(world.group(), Tuning.COLOUR_WORK_GROUP));
         }
     }

@@ -53,6 +53,12 @@ public interface ClApi {
     /** Blocking. */
     int enqueueWriteBuffer(cl_command_queue queue, cl_mem buffer, long offset, long bytes, Pointer from);
 
+    int enqueueCopyBuffer(cl_command_queue queue, cl_mem from, cl_mem to, long fromAt, long toAt, long bytes);
+
+    /** Writes a pattern over and over again. */
+    int enqueueFillBuffer(
+            cl_command_queue queue, cl_mem buffer, Pointer pattern, long patternBytes, long offset, long bytes);
+
     /** A buffer from its beginning, as memory of the host. Blocking. */
     ByteBuffer enqueueMapBuffer(cl_command_queue queue, cl_mem buffer, long flags, long bytes, int[] status);
 

@@ -60,7 +60,8 @@ final class DeviceBuffer implements AutoCloseable {
         bytes = 0;
         try {
             ensure(needed);
-            copy(old, kept, value);
+            copy(old, 0, 0, kept);
+            fill(kept, bytes - kept, Pointer.to(new int[] {value}));
         } catch (RuntimeException e) {
             // the caller may try again: what was there is still there
             release();
@@ -74,23 +75,21 @@ final class DeviceBuffer implements AutoCloseable {
         }
     }
 
-    /** Fills this buffer with {@code kept} bytes of another and then with a value, a part at a time. */
-    private void copy(cl_mem old, long kept, int value) {
-        ByteBuffer part =
-                ByteBuffer.allocateDirect((int) Math.min(bytes, COPIED_AT_ONCE)).order(ByteOrder.nativeOrder());
-        Pointer pointer = Pointer.to(part);
-        for (long from = 0; from < bytes; from += part.capacity()) {
-            long count = Math.min(part.capacity(), bytes - from);
-            long keep = Math.max(0, Math.min(count, kept - from));
-            for (long at = keep; at < count; at += 4) {
-                part.putInt((int) at, value);
-            }
-            if (keep > 0) {
-                Cl.check("clEnqueueReadBuffer", session.api.enqueueReadBuffer(session.queue, old, from, keep, pointer));
-            }
-            Cl.check(
-                    "clEnqueueWriteBuffer",
-                    session.api.enqueueWriteBuffer(session.queue, memory, from, count, pointer));
+    /** Copies bytes of another buffer; there may be none. */
+    void copy(DeviceBuffer from, long at, long to, long count) {
+        copy(from.memory, at, to, count);
+    }
+
+    private void copy(cl_mem from, long at, long to, long count) {
+        if (count > 0) {
+            Cl.check("clEnqueueCopyBuffer", session.api.enqueueCopyBuffer(session.queue, from, memory, at, to, count));
+        }
+    }
+
+    /** Sets every int of {@code count} bytes, whole ints, to the one at {@code value}; there may be none. */
+    void fill(long at, long count, Pointer value) {
+        if (count > 0) {
+            Cl.check("clEnqueueFillBuffer", session.api.enqueueFillBuffer(session.queue, memory, value, 4, at, count));
         }
     }
 
@@ -117,7 +116,12 @@ final class DeviceBuffer implements AutoCloseable {
 
     /** As {@link #write(Buffer, long)}, from a pointer that the caller keeps: allocates nothing. */
     void write(Pointer from, long count) {
-        Cl.check("clEnqueueWriteBuffer", session.api.enqueueWriteBuffer(session.queue, memory, 0, count, from));
+        write(0, from, count);
+    }
+
+    /** The same to {@code offset} and on. */
+    void write(long offset, Pointer from, long count) {
+        Cl.check("clEnqueueWriteBuffer", session.api.enqueueWriteBuffer(session.queue, memory, offset, count, from));
     }
 
     /** Reads {@code count} bytes from {@code offset} on into a direct buffer. Waits. */

@@ -24,19 +24,8 @@ final class Find {
     }
 
     void bind(SmallWorld world) {
-        SmallBuffers buffers = world.buffers();
-        Object[] known = {
-            world.now().body,
-            buffers.levels,
-            buffers.rule,
-            world.state().status,
-            world.circles(),
-            world.now().listStart,
-            buffers.kicked,
-            world.now().other,
-            world.now().memory
-        };
-        scan.bind(world, world.now().listStart, world.circles() + 1, buffers.capacity());
+        Object[] known = world.known();
+        scan.bind(world, Heap.LIST_START, world.circles() + 1, true);
         bind(world, count, "c2d_find_count", known);
         bind(world, fill, "c2d_find_fill", known);
         horizon = Float.NaN;
@@ -45,9 +34,7 @@ final class Find {
     private void bind(SmallWorld world, List<Kernel> kernels, String name, Object[] known) {
         if (tables == null) {
             grow(kernels, name, 1);
-            kernels.get(0)
-                    .arguments(known, world.buffers().bucketStart, world.before().body)
-                    .range(world.circles(), world.group());
+            kernels.get(0).arguments(known).range(world.circles(), world.group());
             return;
         }
         List<PairTables.Slice> slices = tables.slices(world.circles());

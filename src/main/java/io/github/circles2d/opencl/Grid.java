@@ -17,39 +17,14 @@ final class Grid {
     }
 
     void bind(SmallWorld world) {
-        SmallBuffers buffers = world.buffers();
-        DeviceBuffer status = world.state().status;
-        DeviceBuffer bucket = buffers.kicked;
-        DeviceBuffer unsorted = world.now().other;
+        Object[] known = world.known();
         int cells = world.levels().cells;
-        int tiles = world.tiles().parts();
-        clear.arguments(buffers.bucketStart, buffers.tileStart, status, cells, tiles)
-                .range(Math.max(cells, tiles) + 1L, world.group());
-        bin.arguments(
-                        world.before().body,
-                        buffers.levels,
-                        buffers.rule,
-                        status,
-                        world.circles(),
-                        bucket,
-                        buffers.bucketStart)
-                .range(world.circles(), world.group());
-        scan.bind(world, buffers.bucketStart, cells + 1, -1);
-        scatter.arguments(bucket, buffers.bucketStart, status, world.circles(), unsorted)
-                .range(world.circles(), world.group());
-        order.arguments(
-                        unsorted,
-                        bucket,
-                        buffers.bucketStart,
-                        world.before().body,
-                        world.before().id,
-                        status,
-                        world.circles(),
-                        world.now().body,
-                        world.now().id,
-                        buffers.from,
-                        world.now().listStart)
-                .range(world.circles(), world.group());
+        int parts = world.tiles().parts();
+        clear.arguments(known, cells, parts).range(Math.max(cells, parts) + 1L, world.group());
+        bin.arguments(known).range(world.circles(), world.group());
+        scan.bind(world, Heap.BUCKET_START, cells + 1, false);
+        scatter.arguments(known).range(world.circles(), world.group());
+        order.arguments(known).range(world.circles(), world.group());
     }
 
     void run() {

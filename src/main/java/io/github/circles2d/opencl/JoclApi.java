@@ -203,6 +203,25 @@ final class JoclApi implements ClApi {
     }
 
     @Override
+    public int enqueueCopyBuffer(cl_command_queue queue, cl_mem from, cl_mem to, long fromAt, long toAt, long bytes) {
+        try {
+            return CL.clEnqueueCopyBuffer(queue, from, to, fromAt, toAt, bytes, 0, null, null);
+        } catch (CLException e) {
+            return e.getStatus();
+        }
+    }
+
+    @Override
+    public int enqueueFillBuffer(
+            cl_command_queue queue, cl_mem buffer, Pointer pattern, long patternBytes, long offset, long bytes) {
+        try {
+            return CL.clEnqueueFillBuffer(queue, buffer, pattern, patternBytes, offset, bytes, 0, null, null);
+        } catch (CLException e) {
+            return e.getStatus();
+        }
+    }
+
+    @Override
     public ByteBuffer enqueueMapBuffer(cl_command_queue queue, cl_mem buffer, long flags, long bytes, int[] status) {
         try {
             return CL.clEnqueueMapBuffer(queue, buffer, true, flags, 0, bytes, 0, null, null, status);

@@ -48,7 +48,7 @@ final class Kernel implements AutoCloseable {
 
     /**
      * Sets every argument, in order: {@link DeviceBuffer}, {@link Local}, {@code Integer}, {@code Long}, {@code Float},
-     * {@code float[]} (a vector), {@code Object[]} (several arguments).
+     * {@code float[]} (a vector), {@code int[]} (a struct of ints), {@code Object[]} (several arguments).
      */
     Kernel arguments(Object... values) {
         set = set(0, values);
@@ -98,6 +98,8 @@ final class Kernel implements AutoCloseable {
                 set(i, Sizeof.cl_float, Pointer.to(new float[] {number}));
             } else if (value instanceof float[] vector) {
                 set(i, (long) Sizeof.cl_float * vector.length, Pointer.to(vector));
+            } else if (value instanceof int[] struct) {
+                set(i, (long) Sizeof.cl_int * struct.length, Pointer.to(struct));
             } else {
                 throw new IllegalArgumentException("argument " + i + " of " + name + " = " + value);
             }

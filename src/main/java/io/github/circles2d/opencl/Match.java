@@ -12,26 +12,10 @@ final class Match {
     }
 
     void bind(SmallWorld world) {
-        long items = world.contacts();
-        Turn now = world.now();
-        Turn before = world.before();
-        DeviceBuffer status = world.state().status;
         // by the grid, on one level, find has them in order
         orders = world.config().strategy().pairwise() || world.levels().count > 1;
-        order.arguments(now.memory, world.buffers().kicked, now.listStart, status, world.circles(), now.other)
-                .range(items, world.group());
-        match.arguments(
-                        world.buffers().from,
-                        now.listStart,
-                        now.other,
-                        status,
-                        world.circles(),
-                        before.listStart,
-                        before.other,
-                        before.memory,
-                        now.memory,
-                        before.body)
-                .range(items, world.group());
+        order.arguments(world.known()).range(world.contacts(), world.group());
+        match.arguments(world.known()).range(world.contacts(), world.group());
     }
 
     void run() {

@@ -19,15 +19,12 @@ final class OpenClSmallStages implements SmallStages {
     private final WorldConfig config;
     private final Session session;
     private final State state;
-    private final SmallBuffers buffers;
+    private final Heap heap;
     private final PairTables tables;
     private final SmallKernels[] kernels = new SmallKernels[2];
     private final FloatBuffer numbers;
     private final Pointer toNumbers;
     private final int group;
-    private final int tileGroup;
-    private final int firstTileGroup;
-    private final int oneGroup;
     private Boolean wide;
     private Program program;
     private Kernel load;
@@ -49,9 +46,6 @@ final class OpenClSmallStages implements SmallStages {
     OpenClSmallStages(OpenClDevice device, WorldConfig config) {
         this.config = config;
         group = device.group(config);
-        tileGroup = device.tileGroup(config);
-        firstTileGroup = device.firstTileGroup(config);
-        oneGroup = device.oneGroup(config);
         numbers = ByteBuffer.allocateDirect(4 * Substeps.NUMBERS)
                 .order(ByteOrder.nativeOrder())
                 .asFloatBuffer();
@@ -59,7 +53,7 @@ final class OpenClSmallStages implements SmallStages {
         session = new Session(device);
         try {
             state = new State(session);
-            buffers = new SmallBuffers(session);
+            heap = new Heap(session);
             tables = config.strategy().pairwise() ? new PairTables(session, config) : null;
             compile(false);
         } catch (RuntimeException e) {
@@ -97,13 +91,11 @@ final class OpenClSmallStages implements SmallStages {
         state.upload(circle, velocities, circles);
         if (levels == null || !levels.same(newLevels)) {
             tiles = Tiles.of(newLevels);
-            buffers.ensureCircles(newLevels, tiles, circle.capacity() / 4);
-            buffers.ensureContacts((long) Tuning.CONTACTS_PER_CIRCLE * circles + Tuning.FIRST_CONTACTS);
+            heap.ensureCircles(newLevels, tiles, circle.capacity() / 4);
             levels = newLevels;
             unbind();
         }
-        Turn last = last();
-        load.arguments(state.circle, state.velocities, placed, circles, last.body, last.id, last.listStart)
+        load.arguments(last(), state.circle, state.velocities, placed)
                 .range(circles, group)
                 .launch();
         placed = circles;
@@ -120,8 +112,9 @@ final class OpenClSmallStages implements SmallStages {
         return (int) (queued + 1 & 1);
     }
 
-    private Turn last() {
-        return buffers.turns[lastIndex()];
+    /** What kernels begin with that work on what the last detection has left. */
+    private Object[] last() {
+        return heap.world(lastIndex(), state);
     }
 
     @Override
@@ -136,12 +129,9 @@ final class OpenClSmallStages implements SmallStages {
         }
         substeps = now;
         numbers.put(0, now.numbers());
-        buffers.rule.write(toNumbers, 4L * Substeps.NUMBERS);
+        heap.writeRule(toNumbers);
         if (now.rescales()) {
-            Turn last = last();
-            rescale.arguments(last.body, buffers.walls, last.memory, last.listStart, state.circles, buffers.rule)
-                    .range(Math.max(1, state.circles), group)
-                    .launch();
+            rescale.arguments(last()).range(Math.max(1, state.circles), group).launch();
         }
     }
 
@@ -167,15 +157,12 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     private void bind(int index) {
-        Turn now = buffers.turns[index];
-        Turn before = buffers.turns[1 - index];
-        kernels[index].bind(new SmallWorld(
-                config, state, buffers, now, before, levels, tiles, group, tileGroup, firstTileGroup, oneGroup));
+        kernels[index].bind(new SmallWorld(config, state, heap, index, levels, tiles, session.device));
     }
 
     @Override
     public void integrate() {
-        kernels[lastIndex()].integrate.run(true, false);
+        kernels[lastIndex()].integrate.run();
     }
 
     @Override
@@ -184,7 +171,7 @@ final class OpenClSmallStages implements SmallStages {
         if (now.isAlone) {
             now.alone.solve(count);
         } else {
-            now.solve.run(count, now.integrate);
+            now.solve.run(count);
         }
     }
 
@@ -209,12 +196,10 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void makeRoom(long needed) {
-        Turn stalled = buffers.turns[(int) (done & 1)];
-        Turn before = buffers.turns[(int) (done + 1 & 1)];
-        restore.arguments(stalled.body, buffers.from, state.circles, before.body)
+        restore.arguments(heap.world((int) (done & 1), state))
                 .range(state.circles, group)
                 .launch();
-        buffers.ensureContacts(Math.max(needed, (long) Math.min(SmallBuffers.MOST_CONTACTS, needed * Tuning.GROWTH)));
+        heap.ensureContacts(Math.max(needed, (long) Math.min(Heap.MOST_CONTACTS, needed * Tuning.GROWTH)));
         state.clearStatus();
         unbind();
         queued = done;

@@ -17,17 +17,21 @@ final class Scan {
         add = new Kernel(session, program, "c2d_scan_add");
     }
 
-    /** @param capacity of contacts, where the values are the lengths of their lists; else -1 */
-    void bind(SmallWorld world, DeviceBuffer values, int count, int capacity) {
-        DeviceBuffer status = world.state().status;
-        DeviceBuffer partSums = world.buffers().partSums;
+    /**
+     * @param part the part of the heap that the values are in
+     * @param lists whether they are the lengths of lists, which must not be more than there is room for
+     */
+    void bind(SmallWorld world, int part, int count, boolean lists) {
+        Object[] known = world.known();
+        int values = world.heap().at(world.turn(), part);
+        int isLists = lists ? 1 : 0;
         isFew = world.few() && count <= Tuning.SCAN_FEW;
-        few.range(1, world.oneGroup()).arguments(values, count, status, capacity, new Kernel.Local(4L * few.group()));
+        few.range(1, world.oneGroup()).arguments(known, values, count, isLists, new Kernel.Local(4L * few.group()));
         parts.range((count + Tuning.SCAN - 1L) / Tuning.SCAN, world.group())
-                .arguments(values, count, partSums, status, new Kernel.Local(4L * parts.group()));
+                .arguments(known, values, count, new Kernel.Local(4L * parts.group()));
         sums.range(1, world.oneGroup())
-                .arguments(partSums, (int) parts.groups(), status, capacity, new Kernel.Local(4L * sums.group()));
-        add.range(count, world.group()).arguments(values, count, partSums, status, Tuning.SCAN * parts.group());
+                .arguments(known, (int) parts.groups(), isLists, new Kernel.Local(4L * sums.group()));
+        add.range(count, world.group()).arguments(known, values, count, Tuning.SCAN * parts.group());
     }
 
     void run() {

@@ -8,25 +8,35 @@ import io.github.circles2d.pipeline.WorldConfig;
 /**
  * What the stages of small steps bind their kernels to.
  *
- * @param now the buffers that the detection writes
- * @param before those of the detection before
- * @param group work-items of a group
- * @param tileGroup work-items of a group that does a tile
- * @param firstTileGroup work-items of a group that does a tile of the first tiling
- * @param oneGroup work-items of a launch of one group
+ * @param turn which of two parts of the heap the detection writes
  */
 record SmallWorld(
-        WorldConfig config,
-        State state,
-        SmallBuffers buffers,
-        Turn now,
-        Turn before,
-        Levels levels,
-        Tiles tiles,
-        int group,
-        int tileGroup,
-        int firstTileGroup,
-        int oneGroup) {
+        WorldConfig config, State state, Heap heap, int turn, Levels levels, Tiles tiles, OpenClDevice device) {
+
+    /** What every kernel begins with. */
+    Object[] known() {
+        return heap.world(turn, state);
+    }
+
+    /** Work-items of a group. */
+    int group() {
+        return device.group(config);
+    }
+
+    /** Work-items of a group that does a tile. */
+    int tileGroup() {
+        return device.tileGroup(config);
+    }
+
+    /** Work-items of a group that does a tile of the first tiling. */
+    int firstTileGroup() {
+        return device.firstTileGroup(config, circles());
+    }
+
+    /** Work-items of a launch of one group. */
+    int oneGroup() {
+        return device.oneGroup(config);
+    }
 
     int circles() {
         return state.circles;
@@ -44,11 +54,6 @@ record SmallWorld(
     boolean alone() {
         return circles() <= Math.min(config.smallWorld(), Tuning.ALONE_CIRCLES)
                 && (state.onGpu() || config.workGroup() > 0);
-    }
-
-    /** Whether the first tiling begins with the circles' own share; where none is small, circles have launches of their own. */
-    boolean fused() {
-        return config.smallWorld() > 0;
     }
 
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */

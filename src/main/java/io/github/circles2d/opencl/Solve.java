@@ -7,81 +7,63 @@ import java.util.List;
 
 /** Host code of {@code kernels/solve.cl}: a pass over the contacts, a tiling at a time. */
 final class Solve {
+    /** What comes before a tiling: {@code C2D_NOTHING} and so on. */
+    private static final int NOTHING = 0;
+
+    private static final int KICK = 1;
+    private static final int MOVE_AND_KICK = 2;
+
     private final Session session;
     private final Program program;
-    /** The first tiling with what comes before it, where a substep does and where none does. */
+    /** The first tiling, where a substep comes before and where none does; the others. */
     private final Kernel moveAndFirst;
 
     private final Kernel kickAndFirst;
-    private final List<Kernel> tilings = new ArrayList<>();
+    private final List<Kernel> others = new ArrayList<>();
     private int count;
-    private boolean fused;
 
     Solve(Session session, Program program) {
         this.session = session;
         this.program = program;
-        moveAndFirst = new Kernel(session, program, "c2d_solve_first");
-        kickAndFirst = new Kernel(session, program, "c2d_solve_first");
-    }
-
-    /** What every kernel that visits contacts begins with, {@code C2D_SOLVE}. */
-    static Object[] known(SmallWorld world) {
-        SmallBuffers buffers = world.buffers();
-        Turn now = world.now();
-        Turn free = world.before();
-        return new Object[] {
-            now.body,
-            now.id,
-            buffers.kicked,
-            buffers.walls,
-            buffers.rule,
-            now.memory,
-            free.memory,
-            buffers.capacity(),
-            free.body,
-            buffers.tileStart,
-            buffers.tileColours,
-            world.state().status
-        };
+        moveAndFirst = new Kernel(session, program, "c2d_solve");
+        kickAndFirst = new Kernel(session, program, "c2d_solve");
     }
 
     void bind(SmallWorld world) {
-        Turn free = world.before();
-        Tiles tiles = world.tiles();
-        Object[] known = known(world);
-        fused = world.fused();
-        Object[] local = {
-            new Kernel.Local(32 * Tuning.TILE_CIRCLES),
-            new Kernel.Local(4 * Tuning.TILE_CIRCLES),
-            new Kernel.Local(8 * Tuning.TILE_CONTACTS),
-            new Kernel.Local(Tuning.TILE_CONTACTS)
-        };
-        moveAndFirst
-                .arguments(known, free.id, free.other, tiles.tiles, 1, local)
-                .groups(tiles.count(0), world.firstTileGroup());
-        kickAndFirst
-                .arguments(known, free.id, free.other, tiles.tiles, 0, local)
-                .groups(tiles.count(0), world.firstTileGroup());
-        count = tiles.tilings;
-        for (int tiling = 0; tiling < count; tiling++) {
-            if (tiling == tilings.size()) {
-                tilings.add(new Kernel(session, program, "c2d_solve"));
+        bind(moveAndFirst, world, 0, MOVE_AND_KICK);
+        bind(kickAndFirst, world, 0, KICK);
+        count = world.tiles().tilings - 1;
+        for (int k = 0; k < count; k++) {
+            if (k == others.size()) {
+                others.add(new Kernel(session, program, "c2d_solve"));
             }
-            tilings.get(tiling).arguments(known, tiles.first(tiling)).groups(tiles.count(tiling), world.tileGroup());
+            bind(others.get(k), world, k + 1, NOTHING);
         }
     }
 
+    private static void bind(Kernel kernel, SmallWorld world, int tiling, int begins) {
+        Tiles tiles = world.tiles();
+        boolean local = begins != NOTHING;
+        int circles = local ? Tuning.TILE_CIRCLES : 1;
+        int contacts = local ? Tuning.TILE_CONTACTS : 1;
+        kernel.arguments(
+                        world.known(),
+                        tiles.tiles,
+                        tiles.first(tiling),
+                        begins,
+                        new Kernel.Local(16L * circles),
+                        new Kernel.Local(16L * circles),
+                        new Kernel.Local(4L * circles),
+                        new Kernel.Local(8L * contacts))
+                .groups(tiles.count(tiling), local ? world.firstTileGroup() : world.tileGroup());
+    }
+
     /** Substeps, as {@link io.github.circles2d.pipeline.SmallStages#solve} says. */
-    void run(int substeps, Integrate integrate) {
+    void run(int substeps) {
         for (int substep = 0; substep < substeps; substep++) {
-            if (fused) {
-                (substep > 0 ? moveAndFirst : kickAndFirst).launch();
-            } else {
-                integrate.run(substep > 0, true);
-                tilings.get(0).launch();
-            }
-            for (int tiling = 1; tiling < count; tiling++) {
-                tilings.get(tiling).launch();
+            (substep > 0 ? moveAndFirst : kickAndFirst).launch();
+            for (int k = 0; k < count; k++) {
+                others.get(k).launch();
             }
         }
     }

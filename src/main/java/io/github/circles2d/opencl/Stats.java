@@ -31,9 +31,9 @@ final class Stats {
     }
 
     /** Of {@code Solver.SMALL_STEPS}. */
-    StepSums ofLists(State state, Turn now) {
+    StepSums ofLists(State state, Object[] world) {
         StepSums sums = ofCircles(state);
-        ofContacts(sums, "c2d_stats_lists", state.circles, now.body, now.listStart, now.other, state.circles);
+        ofContacts(sums, "c2d_stats_lists", state.circles, world);
         return sums;
     }
 

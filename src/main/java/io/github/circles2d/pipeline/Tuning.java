@@ -100,6 +100,9 @@ public final class Tuning {
     /** The same of the first tiling, whose tiles have most of the contacts. */
     public static final int GPU_FIRST_TILE_GROUP = 128;
 
+    /** The same of more than {@link #MANY} circles, whose cells, and so tiles, are wider. */
+    public static final int GPU_FIRST_TILE_GROUP_OF_MANY = 256;
+
     /** Both on a CPU. */
     public static final int CPU_TILE_GROUP = 1;
 
@@ -234,12 +237,12 @@ public final class Tuning {
     public static final int TILES_FEW = 64;
 
     /**
-     * Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 600; 16 to 2,000: they take 36 and 9
+     * Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 600; 16 to 2,000: they take 36 and 8
      * bytes each, and every device has 32 KiB.
      */
-    public static final int TILE_CIRCLES = 512;
+    public static final int TILE_CIRCLES = 576;
 
-    public static final int TILE_CONTACTS = 1280;
+    public static final int TILE_CONTACTS = 1504;
 
     /** Circles up to which one work-group does most of a detection and its substeps, on a GPU. 0 (never) to 10^4. */
     public static final int ALONE_CIRCLES = 1280;

@@ -1,0 +1,175 @@
+package io.github.circles2d.opencl;
+
+import io.github.circles2d.CapacityException;
+import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Substeps;
+import io.github.circles2d.pipeline.Tiles;
+import io.github.circles2d.pipeline.Tuning;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import org.jocl.Pointer;
+
+/**
+ * What small steps keep on the device, all in one buffer: {@code c2d_world} of {@code kernels/small.cl}, whose order the parts have
+ * here. Of the first five there are two of each, by turns: a detection writes the ones while it reads the others, those of the
+ * detection before. While it sorts, it keeps what it does not need later in those that it fills last; once it has what it needs of the
+ * detection before, the parts of that one are free, and hold the order in which contacts are solved until the next.
+ */
+final class Heap {
+    /** {@code batch} has three ints a contact, and ints say where. */
+    static final int MOST_CONTACTS = Integer.MAX_VALUE / 3;
+
+    private static final int BODY = 0;
+    private static final int ID = 1;
+    static final int LIST_START = 2;
+    private static final int OTHER = 3;
+    private static final int MEMORY = 4;
+    /** Parts that there are two of, which come by turns: part p is at 2 p and 2 p + 1. */
+    private static final int TURNS = 5;
+
+    private static final int WALLS = 5;
+    private static final int KICKED = 6;
+    private static final int FROM = 7;
+    static final int BUCKET_START = 8;
+    private static final int PART_SUMS = 9;
+    private static final int LEVELS = 10;
+    private static final int TILINGS = 11;
+    static final int TILE_START = 12;
+    private static final int TILE_COLOURS = 13;
+    private static final int RULE = 14;
+    private static final int PARTS = 15;
+
+    /** What kernels count places in the heap in, bytes. */
+    private static final int UNIT = 32;
+    /** Where parts may begin: transfers of a work-group are as long. */
+    private static final int ALIGNED = 256;
+
+    private final Session session;
+    private final Pointer none = Pointer.to(new int[1]);
+    private DeviceBuffer buffer;
+    /** Of every part, the second of two included: bytes, and where it begins. */
+    private long[] bytes = new long[PARTS + TURNS];
+
+    private long[] at = new long[PARTS + TURNS];
+    private int capacity;
+
+    Heap(Session session) {
+        this.session = session;
+        buffer = new DeviceBuffer(session, "world");
+    }
+
+    private static int index(int turn, int part) {
+        return part < TURNS ? 2 * part + turn : part + TURNS;
+    }
+
+    /** Makes room for circles, as many as {@code room}, and their cells; keeps what is kept from step to step. */
+    void ensureCircles(Levels levels, Tiles tiles, int room) {
+        long[] wanted = bytes.clone();
+        want(wanted, BODY, 32L * room);
+        want(wanted, ID, 4L * room);
+        want(wanted, LIST_START, 4L * (room + 1));
+        want(wanted, OTHER, 4L * room);
+        want(wanted, WALLS, 16L * room);
+        want(wanted, KICKED, 8L * room);
+        want(wanted, FROM, 4L * room);
+        want(wanted, BUCKET_START, 4L * (levels.cells + 1));
+        // one sum for each group, and a group may be of one work-item
+        want(wanted, PART_SUMS, 4L * (Math.max(Math.max(levels.cells, tiles.parts()), room) / Tuning.SCAN + 1));
+        want(wanted, LEVELS, 4L * levels.table.length);
+        want(wanted, TILINGS, 4L * tiles.table.length);
+        want(wanted, TILE_START, 4L * (tiles.parts() + 1));
+        want(wanted, TILE_COLOURS, 4L * tiles.tiles);
+        want(wanted, RULE, 4L * Substeps.NUMBERS);
+        wantContacts(wanted, (long) Tuning.CONTACTS_PER_CIRCLE * levels.circles + Tuning.FIRST_CONTACTS);
+        grow(wanted);
+        write(LEVELS, levels.table);
+        write(TILINGS, tiles.table);
+    }
+
+    /** Makes room for at least so many contacts; keeps what is remembered of those there are. */
+    void ensureContacts(long contacts) {
+        long[] wanted = bytes.clone();
+        wantContacts(wanted, contacts);
+        grow(wanted);
+    }
+
+    private static void wantContacts(long[] wanted, long contacts) {
+        if (contacts > MOST_CONTACTS) {
+            throw new CapacityException(
+                    "a step found " + contacts + " contacts; a world has room for " + MOST_CONTACTS);
+        }
+        want(wanted, OTHER, 4 * contacts);
+        want(wanted, MEMORY, 8 * contacts);
+        // as the other turn's `batch`, three ints a contact, and `tint`, a short
+        want(wanted, BODY, 12 * contacts);
+        want(wanted, LIST_START, 2 * contacts);
+    }
+
+    private static void want(long[] wanted, int part, long least) {
+        for (int turn = 0; turn < (part < TURNS ? 2 : 1); turn++) {
+            int i = index(turn, part);
+            wanted[i] = Math.max(wanted[i], least + UNIT - 1 & -UNIT);
+        }
+    }
+
+    private void grow(long[] wanted) {
+        long[] to = new long[wanted.length];
+        long all = 0;
+        boolean fits = true;
+        for (int i = 0; i < wanted.length; i++) {
+            to[i] = all;
+            all += wanted[i] + ALIGNED - 1 & -ALIGNED;
+            fits &= wanted[i] <= bytes[i];
+        }
+        if (fits) {
+            return;
+        }
+        DeviceBuffer grown = new DeviceBuffer(session, "world");
+        try {
+            grown.ensure(all);
+            for (int i = 0; i < wanted.length; i++) {
+                grown.copy(buffer, at[i], to[i], bytes[i]);
+                if (i < 2 * TURNS || i == index(0, WALLS)) {
+                    grown.fill(to[i] + bytes[i], wanted[i] - bytes[i], none);
+                }
+            }
+        } catch (RuntimeException e) {
+            // the caller may try again: what was there is still there
+            grown.close();
+            throw e;
+        }
+        buffer.close();
+        buffer = grown;
+        bytes = wanted;
+        at = to;
+        capacity = (int) Math.min(MOST_CONTACTS, bytes[index(0, MEMORY)] / 8);
+    }
+
+    private void write(int part, int[] values) {
+        ByteBuffer copy = ByteBuffer.allocateDirect(4 * values.length).order(ByteOrder.nativeOrder());
+        copy.asIntBuffer().put(values);
+        buffer.write(at[index(0, part)], Pointer.to(copy), 4L * values.length);
+    }
+
+    /** Writes the numbers of a substep. Allocates nothing. */
+    void writeRule(Pointer numbers) {
+        buffer.write(at[index(0, RULE)], numbers, 4L * Substeps.NUMBERS);
+    }
+
+    /** Where a part begins, in units. */
+    int at(int turn, int part) {
+        return (int) (at[index(turn, part)] / UNIT);
+    }
+
+    /** What every kernel of small steps begins with, {@code C2D_WORLD}, at a turn. */
+    Object[] world(int turn, State state) {
+        int[] world = new int[bytes.length + 2];
+        for (int i = 0; i < bytes.length; i++) {
+            int own = i < 2 * TURNS ? i ^ turn : i;
+            world[i] = (int) (at[own] / UNIT);
+        }
+        world[bytes.length] = state.circles;
+        world[bytes.length + 1] = capacity;
+        return new Object[] {buffer, state.status, world};
+    }
+}
