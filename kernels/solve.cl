@@ -55,6 +55,11 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
     }
 }
 
+// One by one: Oclgrind crashes where a vector is widened.
+static float8 c2d_whole(float4 motion, float4 rest) {
+    return (float8)(motion.s0, motion.s1, motion.s2, motion.s3, rest.s0, rest.s1, rest.s2, rest.s3);
+}
+
 // A tile that fits into local memory: `motion` and `rest` of its circles, the halves of a body, their `places`, and what is
 // `remembered` of its contacts. Each is read and written once, those of a row together, whatever the colours are.
 static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global const int *members,
@@ -91,8 +96,8 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
             if (from + item < stop) {
                 const int i = pair.x & ((1 << C2D_TURN_BITS) - 1);
                 const int j = pair.x >> C2D_TURN_BITS;
-                float8 a = (float8)(motion[i], rest[i]);
-                float8 b = (float8)(motion[j], rest[j]);
+                float8 a = c2d_whole(motion[i], rest[i]);
+                float8 b = c2d_whole(motion[j], rest[j]);
                 float2 now = remembered[pair.y];
                 if (c2d_visit(&a, &b, &now, places[i], places[j], id, kicked, numbers)) {
                     motion[i] = a.s0123;
@@ -108,7 +113,7 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
         barrier(CLK_LOCAL_MEM_FENCE);
     }
     for (int m = item; m < own.y - own.x; m += items) {
-        body[places[m]] = (float8)(motion[m], rest[m]);
+        body[places[m]] = c2d_whole(motion[m], rest[m]);
     }
     for (int e = first + item; e < end; e += items) {
         memory[byTile[e]] = remembered[e - first];
