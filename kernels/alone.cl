@@ -36,9 +36,9 @@ __kernel void c2d_alone_batch(C2D_WORLD, int others, int tiles, __local int *sum
     const int8 all = C2D_LEVEL_TABLE[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
-    for (int k = item; k < contacts; k += items) {
-        c2d_batch_count_at(k, true, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER, world.capacity, C2D_BATCH,
-                           C2D_TILE_START);
+    for (int q = item; 4 * q < contacts; q += items) {
+        c2d_batch_count_at(q, contacts, true, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER, world.capacity,
+                           C2D_BATCH, C2D_TILE_START);
     }
     for (int p = item; p < (stalled ? 0 : world.circles); p += items) {
         C2D_BEYOND[p] = 0;

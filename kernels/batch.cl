@@ -20,19 +20,46 @@ static int c2d_tile(int2 cell, int8 tiling) {
     return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
 }
 
-// The contacts of a tile, and its circles, are counted in so many parts, two for each row of cells: counting into one place takes
-// turns, and what is of one row lies together in memory.
-#define C2D_PARTS 16
-static int c2d_batch_part(int tile, int row, int which) { return C2D_PARTS * tile + (2 * row + (which & 1)) % C2D_PARTS; }
+// The contacts of a tile, and its circles, are counted in so many parts, by rows of cells: what is of one row lies together in memory.
+#define C2D_PARTS 8
+static int c2d_batch_part(int tile, int row) { return C2D_PARTS * tile + row % C2D_PARTS; }
 
 // By place: which of its part a circle was counted as.
 #define C2D_TURN_OF C2D_AT(int, from)
 #define C2D_MASK C2D_AT(ulong, kicked)
 
-// Contact k, at one of the parts of its tile; or, where all tiles of a tiling are done as one, of its tiling.
-static void c2d_batch_count_at(int k, bool asOne, __global const float8 *body, int8 all, __global const int8 *tilings,
-                               __global const float *rule, __global const int *other, int capacity, __global int *batch,
-                               __global int *tileStart) {
+// Which of their parts four neighbours are, -1 for none; those of one part are counted in one go, for counting into one place takes
+// turns.
+static int4 c2d_batch_turns(int4 part, __global int *tileStart) {
+    const int z = part.w == part.z ? 2 : 1;
+    const int y = part.z == part.y ? 1 + z : 1;
+    const int x = part.y == part.x ? 1 + y : 1;
+    int4 turn = (int4)(0, 0, 0, 0);
+    if (part.x >= 0) {
+        turn.x = atomic_add(&tileStart[part.x + 1], x);
+    }
+    turn.y = turn.x + 1;
+    if (part.y >= 0 && part.y != part.x) {
+        turn.y = atomic_add(&tileStart[part.y + 1], y);
+    }
+    turn.z = turn.y + 1;
+    if (part.z >= 0 && part.z != part.y) {
+        turn.z = atomic_add(&tileStart[part.z + 1], z);
+    }
+    turn.w = turn.z + 1;
+    if (part.w >= 0 && part.w != part.z) {
+        turn.w = atomic_add(&tileStart[part.w + 1], 1);
+    }
+    return turn;
+}
+
+// The part of contact k, of those of its tile; or, where all tiles of a tiling are done as one, of its tiling.
+static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const float8 *body, int8 all,
+                             __global const int8 *tilings, __global const float *rule, __global const int *other,
+                             __global const int *batch) {
+    if (k >= contacts) {
+        return -1;
+    }
     const int2 a = c2d_finest_cell(body[batch[k]].s01, all, rule);
     const int2 b = c2d_finest_cell(body[other[k]].s01, all, rule);
     // the last tiling holds whatever those before do not
@@ -42,30 +69,48 @@ static void c2d_batch_count_at(int k, bool asOne, __global const float8 *body, i
         tiling++;
         tile = c2d_tile(a, tilings[tiling]);
     }
-    const int part = c2d_batch_part(asOne ? tiling : tile, a.y, k);
-    batch[capacity + k] = atomic_inc(&tileStart[part + 1]);
-    batch[2 * capacity + k] = part;
+    return c2d_batch_part(asOne ? tiling : tile, a.y);
+}
+
+// Contacts 4 q to 4 q + 3; there is always room for a multiple of four.
+static void c2d_batch_count_at(int q, int contacts, bool asOne, __global const float8 *body, int8 all,
+                               __global const int8 *tilings, __global const float *rule, __global const int *other,
+                               int capacity, __global int *batch, __global int *tileStart) {
+    const int4 part = (int4)(c2d_batch_part_of(4 * q, contacts, asOne, body, all, tilings, rule, other, batch),
+                             c2d_batch_part_of(4 * q + 1, contacts, asOne, body, all, tilings, rule, other, batch),
+                             c2d_batch_part_of(4 * q + 2, contacts, asOne, body, all, tilings, rule, other, batch),
+                             c2d_batch_part_of(4 * q + 3, contacts, asOne, body, all, tilings, rule, other, batch));
+    ((__global int4 *)(batch + capacity))[q] = c2d_batch_turns(part, tileStart);
+    ((__global int4 *)(batch + 2 * capacity))[q] = part;
 }
 
 // The part of the circle at place p: circles are counted after the contacts of all `tiles`, by tiles of the first tiling.
-static int c2d_batch_part_of(int p, __global const float8 *body, int8 all, __global const int8 *tilings,
-                             __global const float *rule, int tiles) {
+static int c2d_batch_part_of_circle(int p, int circles, __global const float8 *body, int8 all, __global const int8 *tilings,
+                                    __global const float *rule, int tiles) {
+    if (p >= circles) {
+        return -1;
+    }
     const int2 cell = c2d_finest_cell(body[p].s01, all, rule);
-    return c2d_batch_part(tiles + c2d_tile(cell, tilings[0]), cell.y, p);
+    return c2d_batch_part(tiles + c2d_tile(cell, tilings[0]), cell.y);
 }
 
-// One work-item a contact, going round where they are more; and one a circle.
+// One work-item four contacts, going round where they are more; and four circles.
 __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     const int8 all = C2D_LEVEL_TABLE[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
-    for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        c2d_batch_count_at(k, false, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER, world.capacity, C2D_BATCH,
-                           C2D_TILE_START);
+    for (int q = (int)get_global_id(0); 4 * q < contacts; q += (int)get_global_size(0)) {
+        c2d_batch_count_at(q, contacts, false, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER, world.capacity,
+                           C2D_BATCH, C2D_TILE_START);
     }
-    for (int p = (int)get_global_id(0); p < (stalled ? 0 : world.circles); p += (int)get_global_size(0)) {
-        const int part = c2d_batch_part_of(p, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles);
-        C2D_TURN_OF[p] = atomic_inc(&C2D_TILE_START[part + 1]);
+    const int circles = stalled ? 0 : world.circles;
+    for (int q = (int)get_global_id(0); 4 * q < circles; q += (int)get_global_size(0)) {
+        const int4 part =
+            (int4)(c2d_batch_part_of_circle(4 * q, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles),
+                   c2d_batch_part_of_circle(4 * q + 1, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles),
+                   c2d_batch_part_of_circle(4 * q + 2, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles),
+                   c2d_batch_part_of_circle(4 * q + 3, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles));
+        ((__global int4 *)C2D_TURN_OF)[q] = c2d_batch_turns(part, C2D_TILE_START);
     }
 }
 
@@ -82,7 +127,8 @@ __kernel void c2d_batch_fill(C2D_WORLD, int tiles) {
         c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE);
     }
     for (int p = (int)get_global_id(0); p < (stalled ? 0 : world.circles); p += (int)get_global_size(0)) {
-        const int part = c2d_batch_part_of(p, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles);
+        const int part =
+            c2d_batch_part_of_circle(p, world.circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles);
         C2D_MEMBERS[C2D_TILE_START[part] - contacts + C2D_TURN_OF[p]] = p;
         C2D_TURN_OF[p] = 0;
         C2D_MASK[p] = 0ul;

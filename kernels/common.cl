@@ -33,7 +33,7 @@ typedef uint2 c2d_row;
 #define C2D_PAIRS 1
 #endif
 
-// Values that a work-item scans at a time.
+// Values that a work-item scans at a time, a multiple of four.
 #ifndef C2D_SCAN
 #define C2D_SCAN 8
 #endif
@@ -69,15 +69,26 @@ static void c2d_append(int2 pair, float2 translation, __global int4 *found, __gl
     }
 }
 
+static int4 c2d_scan_read(__global const int *values, int k, int count) {
+    return (int4)(k < count ? values[k] : 0, k + 1 < count ? values[k + 1] : 0, k + 2 < count ? values[k + 2] : 0,
+                  k + 3 < count ? values[k + 3] : 0);
+}
+
 // Turns counts into sums, each the sum of all up to it and of `before`; sums too large for an int stay the largest int. Every
 // work-item of a group has C2D_SCAN of the values, from `first` on. Returns the sum up to the last of its own.
 static int c2d_scan_part(__global int *values, int first, int count, int before, __local int *sums) {
     const int item = (int)get_local_id(0);
     int own[C2D_SCAN];
     int sum = 0;
-    for (int k = 0; k < C2D_SCAN; k++) {
-        own[k] = first + k < count ? values[first + k] : 0;
-        sum = add_sat(sum, own[k]);
+    __global int4 *fours = (__global int4 *)(values + first);
+    const bool whole = first + C2D_SCAN <= count;
+    for (int k = 0; k < C2D_SCAN; k += 4) {
+        const int4 four = whole ? fours[k / 4] : c2d_scan_read(values, first + k, count);
+        own[k] = four.x;
+        own[k + 1] = four.y;
+        own[k + 2] = four.z;
+        own[k + 3] = four.w;
+        sum = add_sat(add_sat(sum, add_sat(four.x, four.y)), add_sat(four.z, four.w));
     }
     sums[item] = sum;
     for (int step = 1; step < (int)get_local_size(0); step *= 2) {
@@ -90,8 +101,17 @@ static int c2d_scan_part(__global int *values, int first, int count, int before,
     sum = item > 0 ? add_sat(before, sums[item - 1]) : before;
     for (int k = 0; k < C2D_SCAN; k++) {
         sum = add_sat(sum, own[k]);
-        if (first + k < count) {
-            values[first + k] = sum;
+        own[k] = sum;
+    }
+    for (int k = 0; k < C2D_SCAN; k += 4) {
+        if (whole) {
+            fours[k / 4] = (int4)(own[k], own[k + 1], own[k + 2], own[k + 3]);
+            continue;
+        }
+        for (int c = k; c < k + 4; c++) {
+            if (first + c < count) {
+                values[first + c] = own[c];
+            }
         }
     }
     return sum;

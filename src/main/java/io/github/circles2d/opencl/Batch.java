@@ -35,7 +35,7 @@ final class Batch {
     void bind(SmallWorld world) {
         Object[] known = world.known();
         Tiles tiles = world.tiles();
-        count.arguments(known, tiles.tiles).range(world.contacts(), world.group());
+        count.arguments(known, tiles.tiles).range(world.contacts() / 2 + 1, world.group());
         scan.bind(world, Heap.TILE_START, tiles.parts() + 1, false);
         fill.arguments(known, tiles.tiles).range(world.contacts(), world.group());
         Levels levels = world.levels();

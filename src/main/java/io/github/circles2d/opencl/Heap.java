@@ -17,7 +17,7 @@ import org.jocl.Pointer;
  */
 final class Heap {
     /** {@code batch} has three ints a contact, and ints say where. */
-    static final int MOST_CONTACTS = Integer.MAX_VALUE / 3;
+    static final int MOST_CONTACTS = Integer.MAX_VALUE / 3 & ~7;
 
     private static final int BODY = 0;
     private static final int ID = 1;
@@ -93,11 +93,12 @@ final class Heap {
         grow(wanted);
     }
 
-    private static void wantContacts(long[] wanted, long contacts) {
-        if (contacts > MOST_CONTACTS) {
-            throw new CapacityException(
-                    "a step found " + contacts + " contacts; a world has room for " + MOST_CONTACTS);
+    private static void wantContacts(long[] wanted, long least) {
+        if (least > MOST_CONTACTS) {
+            throw new CapacityException("a step found " + least + " contacts; a world has room for " + MOST_CONTACTS);
         }
+        // kernels handle them by fours
+        long contacts = least + 7 & ~7;
         want(wanted, OTHER, 4 * contacts);
         want(wanted, MEMORY, 8 * contacts);
         // as the other turn's `batch`, three ints a contact, and `tint`, a short
@@ -142,7 +143,7 @@ final class Heap {
         buffer = grown;
         bytes = wanted;
         at = to;
-        capacity = (int) Math.min(MOST_CONTACTS, bytes[index(0, MEMORY)] / 8);
+        capacity = (int) (bytes[index(0, MEMORY)] / 8);
     }
 
     private void write(int part, int[] values) {

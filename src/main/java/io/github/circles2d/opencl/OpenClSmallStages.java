@@ -30,7 +30,10 @@ final class OpenClSmallStages implements SmallStages {
     private Kernel load;
     private Kernel rescale;
     private Kernel restore;
-    private Stats stats;
+    /** The kernels for one work-group, once a world was so small. */
+    private Program aloneProgram;
+
+    private final Stats stats;
     private Levels levels;
     private Tiles tiles;
     private Substeps substeps;
@@ -55,6 +58,7 @@ final class OpenClSmallStages implements SmallStages {
             state = new State(session);
             heap = new Heap(session);
             tables = config.strategy().pairwise() ? new PairTables(session, config) : null;
+            stats = new Stats(session, config, group, () -> SmallKernels.stats(session));
             compile(false);
         } catch (RuntimeException e) {
             session.close();
@@ -76,7 +80,6 @@ final class OpenClSmallStages implements SmallStages {
         load = new Kernel(session, program, "c2d_load");
         rescale = new Kernel(session, program, "c2d_rescale");
         restore = new Kernel(session, program, "c2d_find_restore");
-        stats = new Stats(session, program, config, group);
         wide = wanted;
         if (old != null) {
             old.close();
@@ -157,7 +160,13 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     private void bind(int index) {
-        kernels[index].bind(new SmallWorld(config, state, heap, index, levels, tiles, session.device));
+        SmallWorld world = new SmallWorld(config, state, heap, index, levels, tiles, session.device);
+        SmallKernels now = kernels[index];
+        if (world.alone() && now.alone == null) {
+            aloneProgram = aloneProgram == null ? SmallKernels.alone(session) : aloneProgram;
+            now.alone = new Alone(session, aloneProgram);
+        }
+        now.bind(world);
     }
 
     @Override

@@ -29,7 +29,7 @@ final class OpenClStages implements Stages {
     private Near near;
     private Colour colour;
     private Resolve resolve;
-    private Stats stats;
+    private final Stats stats;
     private int found;
     private CellGrid cells;
     private boolean closed;
@@ -42,6 +42,17 @@ final class OpenClStages implements Stages {
         try {
             state = new State(session);
             contacts = new Contacts(session);
+            stats = new Stats(
+                    session,
+                    config,
+                    group,
+                    () -> Program.build(
+                            session,
+                            Map.of(),
+                            List.of(
+                                    Program.functions("common.cl"),
+                                    Program.file("stats.cl"),
+                                    Program.file("stats_found.cl"))));
             compile(false);
         } catch (RuntimeException e) {
             session.close();
@@ -73,9 +84,7 @@ final class OpenClStages implements Stages {
                         Program.file("contact.cl"),
                         Program.file("colour.cl"),
                         Program.file("resolve.cl"),
-                        Program.file("near.cl"),
-                        Program.file("stats.cl"),
-                        Program.file("stats_found.cl")));
+                        Program.file("near.cl")));
         // kernels of the old program go with the session; a world crosses this line once
         update = new Update(session, program);
         if (config.strategy().pairwise()) {
@@ -85,7 +94,6 @@ final class OpenClStages implements Stages {
         }
         colour = new Colour(session, program);
         resolve = new Resolve(session, program);
-        stats = new Stats(session, program, config, group);
         wide = wanted;
         if (old != null) {
             old.close();

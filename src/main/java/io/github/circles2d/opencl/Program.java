@@ -61,6 +61,16 @@ final class Program implements AutoCloseable {
         return Map.entry(name, KernelSources.read(name));
     }
 
+    /**
+     * A file of {@code kernels/} whose functions other files use, without its kernels, which are functions then: what nobody calls costs
+     * a compiler next to nothing.
+     */
+    static Map.Entry<String, String> functions(String name) {
+        Map.Entry<String, String> file = file(name);
+        return Map.entry(
+                name, "#define __kernel static\n#line 1 \"" + name + "\"\n" + file.getValue() + "\n#undef __kernel");
+    }
+
     private void build() {
         OpenClDevice device = session.device;
         String options =

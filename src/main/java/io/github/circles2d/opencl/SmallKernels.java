@@ -14,7 +14,8 @@ final class SmallKernels {
     final Batch batch;
     final Integrate integrate;
     final Solve solve;
-    final Alone alone;
+    /** Null until a world was so small. */
+    Alone alone;
 
     /** Whether {@link #alone} does most of it. */
     boolean isAlone;
@@ -28,7 +29,6 @@ final class SmallKernels {
         batch = new Batch(session, program);
         integrate = new Integrate(session, program);
         solve = new Solve(session, program);
-        alone = new Alone(session, program);
     }
 
     /** Compiles the kernels for pair indices of 32 or 64 bits. */
@@ -54,26 +54,56 @@ final class SmallKernels {
                 "batch_order",
                 "integrate",
                 "visit",
-                "solve",
-                "alone",
-                "stats",
-                "stats_lists")) {
+                "solve")) {
             sources.add(Program.file(file + ".cl"));
         }
+        return Program.build(session, defines(wide, pairwise), sources);
+    }
+
+    /** Compiles the kernels for one work-group. */
+    static Program alone(Session session) {
+        List<Map.Entry<String, String>> sources = new ArrayList<>();
+        for (String file : List.of(
+                "common",
+                "detect",
+                "small",
+                "grid",
+                "batch",
+                "batch_colour",
+                "batch_order",
+                "integrate",
+                "visit",
+                "solve")) {
+            sources.add(Program.functions(file + ".cl"));
+        }
+        sources.add(Program.file("alone.cl"));
+        return Program.build(session, defines(false, false), sources);
+    }
+
+    /** Compiles the kernels of statistics. */
+    static Program stats(Session session) {
         return Program.build(
                 session,
-                Map.of(
-                        "C2D_WIDE",
-                        wide ? 1 : 0,
-                        "C2D_PAIRWISE",
-                        pairwise ? 1 : 0,
-                        "C2D_SCAN",
-                        Tuning.SCAN,
-                        "C2D_TILE_CIRCLES",
-                        Tuning.TILE_CIRCLES,
-                        "C2D_TILE_CONTACTS",
-                        Tuning.TILE_CONTACTS),
-                sources);
+                defines(false, false),
+                List.of(
+                        Program.functions("common.cl"),
+                        Program.functions("small.cl"),
+                        Program.file("stats.cl"),
+                        Program.file("stats_lists.cl")));
+    }
+
+    private static Map<String, Integer> defines(boolean wide, boolean pairwise) {
+        return Map.of(
+                "C2D_WIDE",
+                wide ? 1 : 0,
+                "C2D_PAIRWISE",
+                pairwise ? 1 : 0,
+                "C2D_SCAN",
+                Tuning.SCAN,
+                "C2D_TILE_CIRCLES",
+                Tuning.TILE_CIRCLES,
+                "C2D_TILE_CONTACTS",
+                Tuning.TILE_CONTACTS);
     }
 
     void bind(SmallWorld world) {
@@ -83,8 +113,10 @@ final class SmallKernels {
         batch.bind(world);
         integrate.bind(world);
         solve.bind(world);
-        alone.bind(world);
         isAlone = world.alone();
+        if (isAlone) {
+            alone.bind(world);
+        }
         bound = true;
     }
 }

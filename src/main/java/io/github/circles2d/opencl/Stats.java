@@ -4,23 +4,26 @@ import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.function.Supplier;
 
 /** Host code of {@code kernels/stats.cl}: what a step looks like. Binds its kernels each time: it is not for every step. */
 final class Stats {
     private final Session session;
-    private final Program program;
     private final WorldConfig config;
     private final int group;
+    private final Supplier<Program> compiler;
+    private Program program;
     private Kernel circles;
     private Kernel contacts;
     private DeviceBuffer parts;
     private ByteBuffer copy = ByteBuffer.allocateDirect(0);
 
-    Stats(Session session, Program program, WorldConfig config, int group) {
+    /** @param compiler compiles the kernels, when they are needed first */
+    Stats(Session session, WorldConfig config, int group, Supplier<Program> compiler) {
         this.session = session;
-        this.program = program;
         this.config = config;
         this.group = group;
+        this.compiler = compiler;
     }
 
     /** Of {@code Solver.IMPULSE}. */
@@ -39,6 +42,7 @@ final class Stats {
 
     private StepSums ofCircles(State state) {
         if (circles == null) {
+            program = compiler.get();
             parts = new DeviceBuffer(session, "parts");
             circles = new Kernel(session, program, "c2d_stats_circles");
         }

@@ -12,7 +12,7 @@ package io.github.circles2d.pipeline;
  */
 public final class Tiles {
     /** The contacts of a tile, and its circles, are counted in so many parts: {@code C2D_PARTS}. */
-    public static final int PARTS = 16;
+    public static final int PARTS = 8;
 
     /** Numbers of one tiling in {@link #table}: an int8 in the kernels. */
     public static final int INTS = 8;

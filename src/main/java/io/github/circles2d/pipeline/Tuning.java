@@ -250,7 +250,7 @@ public final class Tuning {
     /** Values up to which one work-group scans them all. 0 (never) to 10^5. */
     public static final int SCAN_FEW = 20_000;
 
-    /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64. */
+    /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64, a multiple of 4. */
     public static final int SCAN = 8;
 
     /** Turns that plain Java waits for another thread at full speed before it yields. 0 to 10^5; a turn takes some 10 ns. */
