@@ -34,6 +34,9 @@ public final class OpenClDevice implements Device {
     /** Divisions and roots are rounded correctly if the program asks for it. */
     final boolean correctlyRounded;
 
+    /** The compiler can be told how many registers a work-item may have. */
+    final boolean limitsRegisters;
+
     private final String name;
     private final String platform;
     private final ComputeDevice.Type type;
@@ -56,6 +59,9 @@ public final class OpenClDevice implements Device {
         maxWorkGroup = (int) Math.min(Integer.MAX_VALUE, number(CL.CL_DEVICE_MAX_WORK_GROUP_SIZE));
         partAlignment = (int) Math.max(16, (number(CL.CL_DEVICE_MEM_BASE_ADDR_ALIGN) & 0xFFFFFFFFL) / 8);
         maps = !platform.contains("Oclgrind");
+        limitsRegisters = OpenClDevices.text(
+                        "clGetDeviceInfo", (n, p, m) -> api.getDeviceInfo(id, CL.CL_DEVICE_EXTENSIONS, n, p, m))
+                .contains("cl_nv_compiler_options");
         correctlyRounded = (number(CL.CL_DEVICE_SINGLE_FP_CONFIG) & CL.CL_FP_CORRECTLY_ROUNDED_DIVIDE_SQRT) != 0;
     }
 

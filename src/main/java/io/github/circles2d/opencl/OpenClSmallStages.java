@@ -27,8 +27,9 @@ final class OpenClSmallStages implements SmallStages {
     private final int group;
     private Boolean wide;
     private Program program;
+    private final Program solving;
     private Kernel load;
-    private Kernel rescale;
+    private final Kernel rescale;
     private Kernel restore;
     /** The kernels for one work-group, once a world was so small. */
     private Program aloneProgram;
@@ -59,6 +60,8 @@ final class OpenClSmallStages implements SmallStages {
             heap = new Heap(session);
             tables = config.strategy().pairwise() ? new PairTables(session, config) : null;
             stats = new Stats(session, config, group, () -> SmallKernels.stats(session));
+            solving = SmallKernels.solving(session);
+            rescale = new Kernel(session, solving, "c2d_rescale");
             compile(false);
         } catch (RuntimeException e) {
             session.close();
@@ -75,10 +78,9 @@ final class OpenClSmallStages implements SmallStages {
         program = SmallKernels.program(session, config, wanted);
         // kernels of the old program go with the session; a world crosses this line once
         for (int k = 0; k < kernels.length; k++) {
-            kernels[k] = new SmallKernels(session, program, tables);
+            kernels[k] = new SmallKernels(session, program, solving, tables);
         }
         load = new Kernel(session, program, "c2d_load");
-        rescale = new Kernel(session, program, "c2d_rescale");
         restore = new Kernel(session, program, "c2d_find_restore");
         wide = wanted;
         if (old != null) {

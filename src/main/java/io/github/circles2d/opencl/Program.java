@@ -32,6 +32,12 @@ final class Program implements AutoCloseable {
      * @throws KernelBuildException if they do not compile
      */
     static Program build(Session session, Map<String, Integer> defines, List<Map.Entry<String, String>> sources) {
+        return build(session, "", defines, sources);
+    }
+
+    /** The same with more options for the compiler, each after a space. */
+    static Program build(
+            Session session, String more, Map<String, Integer> defines, List<Map.Entry<String, String>> sources) {
         List<String> parts = new ArrayList<>();
         StringBuilder head = new StringBuilder();
         // in one order, by which a driver that keeps what it has compiled knows it again
@@ -48,7 +54,7 @@ final class Program implements AutoCloseable {
         Cl.check("clCreateProgramWithSource", status[0]);
         Program program = new Program(session, created);
         try {
-            program.build();
+            program.build(more);
         } catch (RuntimeException e) {
             program.close();
             throw e;
@@ -71,10 +77,12 @@ final class Program implements AutoCloseable {
                 name, "#define __kernel static\n#line 1 \"" + name + "\"\n" + file.getValue() + "\n#undef __kernel");
     }
 
-    private void build() {
+    private void build(String more) {
         OpenClDevice device = session.device;
-        String options =
-                OPTIONS + (device.correctlyRounded ? ROUNDED : "") + System.getProperty("circles2d.buildOptions", "");
+        String options = OPTIONS
+                + (device.correctlyRounded ? ROUNDED : "")
+                + more
+                + System.getProperty("circles2d.buildOptions", "");
         int status = session.api.buildProgram(program, device.id, options);
         SignalCanary.handBack();
         if (status == CL.CL_BUILD_PROGRAM_FAILURE) {

@@ -22,13 +22,13 @@ final class SmallKernels {
     /** Whether the arguments are those of the buffers as they are now. */
     boolean bound;
 
-    SmallKernels(Session session, Program program, PairTables tables) {
+    SmallKernels(Session session, Program program, Program solving, PairTables tables) {
         grid = new Grid(session, program);
         find = new Find(session, program, tables);
         match = new Match(session, program);
         batch = new Batch(session, program);
         integrate = new Integrate(session, program);
-        solve = new Solve(session, program);
+        solve = new Solve(session, solving);
     }
 
     /** Compiles the kernels for pair indices of 32 or 64 bits. */
@@ -52,28 +52,32 @@ final class SmallKernels {
                 "batch",
                 "batch_colour",
                 "batch_order",
-                "integrate",
-                "visit",
-                "solve")) {
+                "integrate")) {
             sources.add(Program.file(file + ".cl"));
         }
         return Program.build(session, defines(wide, pairwise), sources);
     }
 
+    /**
+     * Compiles the kernels that visit contacts. A compiler that can be told how many registers a work-item may have is told: more
+     * work-items at a time are worth more than what does not fit.
+     */
+    static Program solving(Session session) {
+        List<Map.Entry<String, String>> sources = new ArrayList<>();
+        for (String file :
+                List.of("common", "detect", "small", "batch", "batch_colour", "batch_order", "integrate", "visit")) {
+            sources.add(Program.functions(file + ".cl"));
+        }
+        sources.add(Program.file("solve.cl"));
+        String registers = session.device.limitsRegisters ? " -cl-nv-maxrregcount=" + Tuning.GPU_SOLVE_REGISTERS : "";
+        return Program.build(session, registers, defines(false, false), sources);
+    }
+
     /** Compiles the kernels for one work-group. */
     static Program alone(Session session) {
         List<Map.Entry<String, String>> sources = new ArrayList<>();
-        for (String file : List.of(
-                "common",
-                "detect",
-                "small",
-                "grid",
-                "batch",
-                "batch_colour",
-                "batch_order",
-                "integrate",
-                "visit",
-                "solve")) {
+        for (String file :
+                List.of("common", "detect", "small", "grid", "batch", "batch_colour", "batch_order", "integrate")) {
             sources.add(Program.functions(file + ".cl"));
         }
         sources.add(Program.file("alone.cl"));

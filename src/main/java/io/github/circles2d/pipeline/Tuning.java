@@ -103,6 +103,9 @@ public final class Tuning {
     /** The same of more than {@link #MANY} circles, whose cells, and so tiles, are wider. */
     public static final int GPU_FIRST_TILE_GROUP_OF_MANY = 256;
 
+    /** Registers of a work-item that solves, where a compiler can be told. 40 to 128. */
+    public static final int GPU_SOLVE_REGISTERS = 64;
+
     /** Both on a CPU. */
     public static final int CPU_TILE_GROUP = 1;
 
