@@ -139,9 +139,8 @@ public final class OpenClDevice implements Device {
     }
 
     /** The same for a group that does a tile of the first tiling. */
-    int firstTileGroup(WorldConfig config, int circles) {
-        int onGpu = circles > Tuning.MANY ? Tuning.GPU_FIRST_TILE_GROUP_OF_MANY : Tuning.GPU_FIRST_TILE_GROUP;
-        int suits = isGpu() ? onGpu : Tuning.CPU_TILE_GROUP;
+    int firstTileGroup(WorldConfig config) {
+        int suits = isGpu() ? Tuning.GPU_FIRST_TILE_GROUP : Tuning.CPU_TILE_GROUP;
         return config.workGroup() > 0 ? config.workGroup() : suits;
     }
 

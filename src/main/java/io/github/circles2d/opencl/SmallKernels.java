@@ -63,37 +63,44 @@ final class SmallKernels {
      * work-items at a time are worth more than what does not fit.
      */
     static Program solving(Session session) {
-        List<Map.Entry<String, String>> sources = new ArrayList<>();
-        for (String file :
-                List.of("common", "detect", "small", "batch", "batch_colour", "batch_order", "integrate", "visit")) {
-            sources.add(Program.functions(file + ".cl"));
-        }
-        sources.add(Program.file("solve.cl"));
         String registers = session.device.limitsRegisters ? " -cl-nv-maxrregcount=" + Tuning.GPU_SOLVE_REGISTERS : "";
-        return Program.build(session, registers, defines(false, false), sources);
+        return build(
+                session, registers, List.of("solve"), "batch", "batch_colour", "batch_order", "integrate", "visit");
     }
 
     /** Compiles the kernels for one work-group. */
     static Program alone(Session session) {
-        List<Map.Entry<String, String>> sources = new ArrayList<>();
-        for (String file :
-                List.of("common", "detect", "small", "grid", "batch", "batch_colour", "batch_order", "integrate")) {
-            sources.add(Program.functions(file + ".cl"));
-        }
-        sources.add(Program.file("alone.cl"));
-        return Program.build(session, defines(false, false), sources);
+        return build(
+                session,
+                "",
+                List.of("alone"),
+                "grid",
+                "batch",
+                "batch_colour",
+                "batch_order",
+                "integrate",
+                "visit",
+                "solve");
     }
 
     /** Compiles the kernels of statistics. */
     static Program stats(Session session) {
-        return Program.build(
-                session,
-                defines(false, false),
-                List.of(
-                        Program.functions("common.cl"),
-                        Program.functions("small.cl"),
-                        Program.file("stats.cl"),
-                        Program.file("stats_lists.cl")));
+        return build(session, "", List.of("stats", "stats_lists"));
+    }
+
+    /** Compiles the kernels of some files, which call functions of others. */
+    private static Program build(Session session, String options, List<String> files, String... others) {
+        List<Map.Entry<String, String>> sources = new ArrayList<>();
+        for (String file : List.of("common", "detect", "small")) {
+            sources.add(Program.functions(file + ".cl"));
+        }
+        for (String file : others) {
+            sources.add(Program.functions(file + ".cl"));
+        }
+        for (String file : files) {
+            sources.add(Program.file(file + ".cl"));
+        }
+        return Program.build(session, options, defines(false, false), sources);
     }
 
     private static Map<String, Integer> defines(boolean wide, boolean pairwise) {

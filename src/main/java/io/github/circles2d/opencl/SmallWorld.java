@@ -30,7 +30,7 @@ record SmallWorld(
 
     /** Work-items of a group that does a tile of the first tiling. */
     int firstTileGroup() {
-        return device.firstTileGroup(config, circles());
+        return device.firstTileGroup(config);
     }
 
     /** Work-items of a launch of one group. */

@@ -98,10 +98,7 @@ public final class Tuning {
     public static final int GPU_TILE_GROUP = 64;
 
     /** The same of the first tiling, whose tiles have most of the contacts. */
-    public static final int GPU_FIRST_TILE_GROUP = 128;
-
-    /** The same of more than {@link #MANY} circles, whose cells, and so tiles, are wider. */
-    public static final int GPU_FIRST_TILE_GROUP_OF_MANY = 256;
+    public static final int GPU_FIRST_TILE_GROUP = 256;
 
     /** Registers of a work-item that solves, where a compiler can be told. 40 to 128. */
     public static final int GPU_SOLVE_REGISTERS = 64;
