@@ -43,7 +43,10 @@ final class StageBytes {
         this.colourings = colourings;
         pairwise = config.strategy().pairwise();
         few = circles <= Tuning.FEW_CIRCLES;
-        Levels levels = Levels.of(config, Population.of(circle, circles));
+        Population population = Population.of(circle, circles);
+        // those of a pile that stands
+        float[] reaches = population.reaches();
+        Levels levels = Levels.of(config, population, reaches[reaches.length - 1]);
         Tiles all = Tiles.of(levels);
         buckets = levels.cells;
         occupied = occupied(config, levels, circle, circles);

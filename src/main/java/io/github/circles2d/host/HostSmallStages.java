@@ -34,9 +34,14 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels levels) {
-        state.upload(circle, velocities, levels);
+    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels) {
+        state.upload(circle, velocities, levels[0]);
         contacts.ensureCircles(state.id.length);
+    }
+
+    @Override
+    public void use(Levels levels) {
+        state.levels = levels;
     }
 
     @Override

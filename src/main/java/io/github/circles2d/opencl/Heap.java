@@ -62,8 +62,11 @@ final class Heap {
         return part < TURNS ? 2 * part + turn : part + TURNS;
     }
 
-    /** Makes room for circles, as many as {@code room}, and their cells; keeps what is kept from step to step. */
-    void ensureCircles(Levels levels, Tiles tiles, int room) {
+    /**
+     * Makes room for circles, as many as {@code room}, and the cells of any of the levels; keeps what is kept from step to step. Whether
+     * anything has moved.
+     */
+    boolean ensureCircles(Levels[] levels, int room) {
         long[] wanted = bytes.clone();
         want(wanted, BODY, 32L * room);
         want(wanted, ID, 4L * room);
@@ -72,16 +75,23 @@ final class Heap {
         want(wanted, WALLS, 16L * room);
         want(wanted, KICKED, 8L * room);
         want(wanted, FROM, 4L * room);
-        want(wanted, BUCKET_START, 4L * (levels.cells + 1));
-        // one sum for each group, and a group may be of one work-item
-        want(wanted, PART_SUMS, 4L * (Math.max(Math.max(levels.cells, tiles.parts()), room) / Tuning.SCAN + 1));
-        want(wanted, LEVELS, 4L * levels.table.length);
-        want(wanted, TILINGS, 4L * tiles.table.length);
-        want(wanted, TILE_START, 4L * (tiles.parts() + 1));
-        want(wanted, TILE_COLOURS, 4L * tiles.tiles);
         want(wanted, RULE, 4L * Substeps.NUMBERS);
-        wantContacts(wanted, (long) Tuning.CONTACTS_PER_CIRCLE * levels.circles + Tuning.FIRST_CONTACTS);
-        grow(wanted);
+        for (Levels cells : levels) {
+            Tiles tiles = Tiles.of(cells);
+            want(wanted, BUCKET_START, 4L * (cells.cells + 1));
+            // one sum for each group, and a group may be of one work-item
+            want(wanted, PART_SUMS, 4L * (Math.max(Math.max(cells.cells, tiles.parts()), room) / Tuning.SCAN + 1));
+            want(wanted, LEVELS, 4L * cells.table.length);
+            want(wanted, TILINGS, 4L * tiles.table.length);
+            want(wanted, TILE_START, 4L * (tiles.parts() + 1));
+            want(wanted, TILE_COLOURS, 4L * tiles.tiles);
+        }
+        wantContacts(wanted, (long) Tuning.CONTACTS_PER_CIRCLE * levels[0].circles + Tuning.FIRST_CONTACTS);
+        return grow(wanted);
+    }
+
+    /** Writes the tables of levels and tiles. */
+    void write(Levels levels, Tiles tiles) {
         write(LEVELS, levels.table);
         write(TILINGS, tiles.table);
     }
@@ -113,7 +123,7 @@ final class Heap {
         }
     }
 
-    private void grow(long[] wanted) {
+    private boolean grow(long[] wanted) {
         long[] to = new long[wanted.length];
         long all = 0;
         boolean fits = true;
@@ -123,7 +133,7 @@ final class Heap {
             fits &= wanted[i] <= bytes[i];
         }
         if (fits) {
-            return;
+            return false;
         }
         DeviceBuffer grown = new DeviceBuffer(session, "world");
         try {
@@ -144,6 +154,7 @@ final class Heap {
         bytes = wanted;
         at = to;
         capacity = (int) (bytes[index(0, MEMORY)] / 8);
+        return true;
     }
 
     private void write(int part, int[] values) {

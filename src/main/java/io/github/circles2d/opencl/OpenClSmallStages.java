@@ -89,21 +89,29 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels newLevels) {
-        int circles = newLevels.circles;
+    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] newLevels) {
+        int circles = newLevels[0].circles;
         // only pairs have numbers
         compile(config.strategy().pairwise() && IndexStrategies.wide(circles));
         state.upload(circle, velocities, circles);
-        if (levels == null || !levels.same(newLevels)) {
-            tiles = Tiles.of(newLevels);
-            heap.ensureCircles(newLevels, tiles, circle.capacity() / 4);
-            levels = newLevels;
+        if (heap.ensureCircles(newLevels, circle.capacity() / 4)) {
             unbind();
         }
+        use(newLevels[0]);
         load.arguments(last(), state.circle, state.velocities, placed)
                 .range(circles, group)
                 .launch();
         placed = circles;
+    }
+
+    @Override
+    public void use(Levels now) {
+        if (levels == null || !levels.same(now)) {
+            levels = now;
+            tiles = Tiles.of(levels);
+            heap.write(levels, tiles);
+            unbind();
+        }
     }
 
     private void unbind() {

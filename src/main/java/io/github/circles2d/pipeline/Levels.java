@@ -50,13 +50,15 @@ public final class Levels {
     /** Number of circles. */
     public final int circles;
 
-    private final float reach;
+    /** How far the reach of a circle goes beyond its radius, radii. */
+    public final float reach;
+
     private final float finest;
     private final float perUnit;
 
-    private Levels(WorldConfig config, Population population) {
+    private Levels(WorldConfig config, Population population, float reach) {
         circles = population.circles();
-        reach = population.reach();
+        this.reach = reach;
         double width = (double) config.maxX() - config.minX();
         double height = (double) config.maxY() - config.minY();
         double least = Math.max(width, height) / Tuning.MAX_FINE_CELLS_PER_AXIS;
@@ -102,9 +104,23 @@ public final class Levels {
         return level == 0 ? 2 : 3;
     }
 
-    /** The levels for the circles of a world. */
-    public static Levels of(WorldConfig config, Population population) {
-        return new Levels(config, population);
+    /**
+     * The levels for the circles of a world.
+     *
+     * @param reach how far the reach of a circle goes beyond its radius, radii
+     */
+    public static Levels of(WorldConfig config, Population population, float reach) {
+        return new Levels(config, population, reach);
+    }
+
+    /** The levels for each of the {@link Population#reaches} of a world. */
+    public static Levels[] all(WorldConfig config, Population population) {
+        float[] reaches = population.reaches();
+        Levels[] all = new Levels[reaches.length];
+        for (int k = 0; k < all.length; k++) {
+            all[k] = of(config, population, reaches[k]);
+        }
+        return all;
     }
 
     private float reach(float radius) {

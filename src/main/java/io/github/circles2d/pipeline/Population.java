@@ -45,9 +45,9 @@ public record Population(
         }
     }
 
-    /** How far the reach of a circle goes beyond its radius, radii: {@link Tuning#REACH}. */
-    public float reach() {
-        return circles > Tuning.MANY ? Tuning.REACH_OF_MANY : Tuning.REACH;
+    /** How far the reach of a circle may go beyond its radius, radii, least first: {@link Tuning#REACH}. */
+    public float[] reaches() {
+        return circles > Tuning.MANY ? new float[] {Tuning.REACH, Tuning.REACH_OF_MANY} : new float[] {Tuning.REACH};
     }
 
     /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_publish}. */

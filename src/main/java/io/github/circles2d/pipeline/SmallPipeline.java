@@ -13,6 +13,10 @@ public final class SmallPipeline implements Stepper {
     private final WorldConfig config;
     private final SmallStages stages;
     private Population population;
+    /** Those that there are, least reach first, and the one in use. */
+    private Levels[] levels;
+
+    private Levels used;
     private float fastest;
     private float before;
     private Substeps substeps;
@@ -29,7 +33,9 @@ public final class SmallPipeline implements Stepper {
     public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
         population = Population.of(circle, circles);
         fastest = population.fastest(velocities);
-        stages.upload(circle, velocities, Levels.of(config, population));
+        levels = Levels.all(config, population);
+        used = levels[0];
+        stages.upload(circle, velocities, levels);
     }
 
     @Override
@@ -40,10 +46,31 @@ public final class SmallPipeline implements Stepper {
             substeps = Substeps.of(config, count, before);
         }
         before = substeps.seconds();
-        perDetection = substeps.perDetection(config, population, fastest);
+        Levels now = levels[0];
+        perDetection = perDetection(now);
+        for (Levels wider : levels) {
+            // as many detections as that takes, each of which takes longer
+            int fewer = perDetection(wider);
+            if (wider.reach > now.reach && detections(fewer) * Tuning.WIDER < detections(perDetection)) {
+                now = wider;
+                perDetection = fewer;
+            }
+        }
+        if (now != used) {
+            used = now;
+            stages.use(now);
+        }
         stages.begin(substeps);
         run(0);
         inFlight = true;
+    }
+
+    private int perDetection(Levels of) {
+        return substeps.perDetection(config, population, fastest, of.reach);
+    }
+
+    private int detections(int each) {
+        return (substeps.count() + each - 1) / each;
     }
 
     /** The substeps from {@code first} on, which begins with a detection. */

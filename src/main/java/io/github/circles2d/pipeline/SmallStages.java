@@ -12,8 +12,12 @@ public interface SmallStages extends DeviceState {
      *
      * @param circle (x, y, radius, mass) a circle, world units; direct, native order, read from 0
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
+     * @param levels those that there is to be room for; the first is used until {@link #use}
      */
-    void upload(FloatBuffer circle, FloatBuffer velocities, Levels levels);
+    void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels);
+
+    /** Which of the levels the detections that follow have their cells from. */
+    void use(Levels levels);
 
     /** The numbers of the substeps that follow; where their time is new, scales what is kept from one to the next. */
     void begin(Substeps substeps);

@@ -201,10 +201,13 @@ public final class Tuning {
     /** How far the reach of a circle goes beyond its radius, radii: cells are 2 r (1 + this) wide. 0.25 to 1. */
     public static final float REACH = 0.5f;
 
-    /** The same of more than so many circles, where detections take longer than substeps. 0.5 to 2. */
+    /** The same where that saves detections, of more than so many circles, where these take longer than substeps. 0.5 to 2. */
     public static final float REACH_OF_MANY = 1.25f;
 
     public static final int MANY = 200_000;
+
+    /** How much longer a detection takes then, a factor. 1 to 2. */
+    public static final float WIDER = 1.2f;
 
     /** Gap up to which a contact is always listed, smaller radii. 0.05 to 0.2. */
     public static final float ALWAYS_NEAR = 0.1f;

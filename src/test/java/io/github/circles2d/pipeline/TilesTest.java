@@ -43,7 +43,7 @@ class TilesTest {
                 0,
                 0,
                 8);
-        Levels levels = Levels.of(config, population(circles, ratio));
+        Levels levels = Levels.of(config, population(circles, ratio), Tuning.REACH);
         Tiles tiles = Tiles.of(levels);
         SplittableRandom random = new SplittableRandom(circles);
         for (int pair = 0; pair < PAIRS; pair++) {
