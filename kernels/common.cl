@@ -69,9 +69,35 @@ static void c2d_append(int2 pair, float2 translation, __global int4 *found, __gl
     }
 }
 
-static int4 c2d_scan_read(__global const int *values, int k, int count) {
-    return (int4)(k < count ? values[k] : 0, k + 1 < count ? values[k + 1] : 0, k + 2 < count ? values[k + 2] : 0,
-                  k + 3 < count ? values[k + 3] : 0);
+// Reads and writes the values from `first` on that a work-item scans, by fours where it has all of them.
+static void c2d_scan_read(__global const int *values, int first, int count, int *own) {
+    if (first + C2D_SCAN <= count) {
+        for (int k = 0; k < C2D_SCAN; k += 4) {
+            const int4 four = *(__global const int4 *)(values + first + k);
+            own[k] = four.x;
+            own[k + 1] = four.y;
+            own[k + 2] = four.z;
+            own[k + 3] = four.w;
+        }
+    } else {
+        for (int k = 0; k < C2D_SCAN; k++) {
+            own[k] = first + k < count ? values[first + k] : 0;
+        }
+    }
+}
+
+static void c2d_scan_write(__global int *values, int first, int count, const int *own) {
+    if (first + C2D_SCAN <= count) {
+        for (int k = 0; k < C2D_SCAN; k += 4) {
+            *(__global int4 *)(values + first + k) = (int4)(own[k], own[k + 1], own[k + 2], own[k + 3]);
+        }
+    } else {
+        for (int k = 0; k < C2D_SCAN; k++) {
+            if (first + k < count) {
+                values[first + k] = own[k];
+            }
+        }
+    }
 }
 
 // Turns counts into sums, each the sum of all up to it and of `before`; sums too large for an int stay the largest int. Every
@@ -79,52 +105,36 @@ static int4 c2d_scan_read(__global const int *values, int k, int count) {
 static int c2d_scan_part(__global int *values, int first, int count, int before, __local int *sums) {
     const int item = (int)get_local_id(0);
     int own[C2D_SCAN];
+    c2d_scan_read(values, first, count, own);
     int sum = 0;
-    __global int4 *fours = (__global int4 *)(values + first);
-    const bool whole = first + C2D_SCAN <= count;
-    for (int k = 0; k < C2D_SCAN; k += 4) {
-        const int4 four = whole ? fours[k / 4] : c2d_scan_read(values, first + k, count);
-        own[k] = four.x;
-        own[k + 1] = four.y;
-        own[k + 2] = four.z;
-        own[k + 3] = four.w;
-        sum = add_sat(add_sat(sum, add_sat(four.x, four.y)), add_sat(four.z, four.w));
+    for (int k = 0; k < C2D_SCAN; k++) {
+        sum = add_sat(sum, own[k]);
     }
     sums[item] = sum;
+    barrier(CLK_LOCAL_MEM_FENCE);
     for (int step = 1; step < (int)get_local_size(0); step *= 2) {
-        barrier(CLK_LOCAL_MEM_FENCE);
         const int lower = item >= step ? sums[item - step] : 0;
         barrier(CLK_LOCAL_MEM_FENCE);
         sums[item] = add_sat(sums[item], lower);
+        barrier(CLK_LOCAL_MEM_FENCE);
     }
-    barrier(CLK_LOCAL_MEM_FENCE);
     sum = item > 0 ? add_sat(before, sums[item - 1]) : before;
     for (int k = 0; k < C2D_SCAN; k++) {
         sum = add_sat(sum, own[k]);
         own[k] = sum;
     }
-    for (int k = 0; k < C2D_SCAN; k += 4) {
-        if (whole) {
-            fours[k / 4] = (int4)(own[k], own[k + 1], own[k + 2], own[k + 3]);
-            continue;
-        }
-        for (int c = k; c < k + 4; c++) {
-            if (first + c < count) {
-                values[first + c] = own[c];
-            }
-        }
-    }
+    c2d_scan_write(values, first, count, own);
     return sum;
 }
 
-// The same for all of the values, by one group: as many as it can at a time. Returns the sum of all.
+// The same for all of the values, by one group: as many as it can at a time. Returns the sum of all. What comes before is read
+// back: PoCL 3.0 cannot compile a sum that lives on from barrier to barrier.
 static int c2d_scan_group(__global int *values, int count, __local int *sums) {
     const int items = (int)get_local_size(0);
-    int before = 0;
     for (int from = 0; from < count; from += C2D_SCAN * items) {
-        c2d_scan_part(values, from + C2D_SCAN * (int)get_local_id(0), count, before, sums);
-        before = add_sat(before, sums[items - 1]);
-        barrier(CLK_LOCAL_MEM_FENCE);
+        const int first = from + C2D_SCAN * (int)get_local_id(0);
+        c2d_scan_part(values, first, count, from > 0 ? values[from - 1] : 0, sums);
+        barrier(CLK_GLOBAL_MEM_FENCE);
     }
-    return before;
+    return count > 0 ? values[count - 1] : 0;
 }

@@ -129,18 +129,17 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
 __kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float4 *motion, __local float4 *rest,
                         __local int *places, __local float2 *remembered) {
     const int tile = firstTile + (int)get_group_id(0);
-    const bool stalled = status[C2D_STALLED] != 0u;
+    const bool starts = begins != C2D_NOTHING && status[C2D_STALLED] == 0u;
     const bool moves = begins == C2D_MOVE_AND_KICK;
-    if (begins != C2D_NOTHING && !stalled) {
-        const int2 own = c2d_members(tile, tiles, C2D_TILE_START);
-        if (c2d_fits(own.y - own.x, C2D_TILE_START[C2D_PARTS * (tile + 1)] - C2D_TILE_START[C2D_PARTS * tile])) {
-            c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, C2D_MEMBERS, C2D_BY_TILE, motion, rest, places, remembered);
-            return;
-        }
-        for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {
-            const int i = C2D_MEMBERS[m];
-            C2D_BODY[i] = c2d_integrated(i, moves, true, C2D_CIRCLES_HERE);
-        }
+    const int2 own = starts ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
+    const int contacts = C2D_TILE_START[C2D_PARTS * (tile + 1)] - C2D_TILE_START[C2D_PARTS * tile];
+    if (starts && c2d_fits(own.y - own.x, contacts)) {
+        c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, C2D_MEMBERS, C2D_BY_TILE, motion, rest, places, remembered);
+        return;
+    }
+    for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {
+        const int i = C2D_MEMBERS[m];
+        C2D_BODY[i] = c2d_integrated(i, moves, true, C2D_CIRCLES_HERE);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_solve_tile(tile, C2D_SOLVE_HERE);
