@@ -13,8 +13,8 @@
 #define C2D_FIRST s4
 
 static int c2d_tile(int2 cell, int8 tiling) {
-    int column = (cell.x + tiling.s0) >> tiling.C2D_SIDE;
-    int row = (cell.y + tiling.s0) >> tiling.C2D_SIDE;
+    int column = (cell.x + tiling.s0) / tiling.C2D_SIDE;
+    int row = (cell.y + tiling.s0) / tiling.C2D_SIDE;
     column = column < tiling.C2D_COLUMNS ? column : column % tiling.C2D_COLUMNS;
     row = row < tiling.C2D_ROWS ? row : row % tiling.C2D_ROWS;
     return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;

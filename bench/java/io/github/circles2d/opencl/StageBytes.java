@@ -109,8 +109,8 @@ final class StageBytes {
             // body read and written, kicked
             case "c2d_integrate" -> (64 + 8) * n;
             // body read and written, kicked read and written, members; pairs, byTile, memory read and written, as
-            // if all contacts were of this first tiling; what is left for c2d_solve is not known
-            case "c2d_solve_first" -> (64 + 16 + 4) * n + (8 + 4 + 16) * k;
+            // if all contacts were of this first tiling; what is left for the others is not known
+            case Launches.FIRST_TILING -> (64 + 16 + 4) * n + (8 + 4 + 16) * k;
             // body read and written, kicked, id; centre, velocity
             case "c2d_publish" -> (64 + 8 + 4 + 8 + 8) * n;
             default -> 0;

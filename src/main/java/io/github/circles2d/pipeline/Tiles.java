@@ -17,7 +17,7 @@ public final class Tiles {
     /** Numbers of one tiling in {@link #table}: an int8 in the kernels. */
     public static final int INTS = 8;
 
-    /** Finest cells that the tiling is moved by; the power of two that is the side of a tile, finest cells. */
+    /** Finest cells that the tiling is moved by; the side of a tile, finest cells. */
     private static final int OFFSET = 0;
 
     private static final int SIDE = 1;
@@ -43,7 +43,7 @@ public final class Tiles {
         // circles that touch lie in neighbouring cells of the wider level
         long span = (2L << widest) - 1;
         int scales = 1;
-        while ((1L << side(scales - 1)) - 2L * third(side(scales - 1)) < span) {
+        while (side(levels, scales - 1) - 2L * third(side(levels, scales - 1)) < span) {
             scales++;
         }
         tilings = 3 * scales;
@@ -51,10 +51,10 @@ public final class Tiles {
         int all = 0;
         for (int tiling = 0; tiling < tilings; tiling++) {
             int at = INTS * tiling;
-            int side = side(tiling / 3);
+            int side = side(levels, tiling / 3);
             int third = third(side);
-            int columns = (levels.table[Levels.LAST_X] + 2 * third >> side) + 1;
-            int rows = (levels.table[Levels.LAST_Y] + 2 * third >> side) + 1;
+            int columns = (levels.table[Levels.LAST_X] + 2 * third) / side + 1;
+            int rows = (levels.table[Levels.LAST_Y] + 2 * third) / side + 1;
             int most = Math.max(Tuning.TILES_FEW, levels.circles / Tuning.CIRCLES_PER_TILE);
             if ((long) columns * rows > most) {
                 columns = Math.min(columns, Math.max(most / rows, (int) Math.sqrt(most)));
@@ -75,8 +75,9 @@ public final class Tiles {
         return new Tiles(levels);
     }
 
-    private static int side(int scale) {
-        return Math.min(30, Tuning.TILE_SIDE + Tuning.TILE_SCALE * scale);
+    private static int side(Levels levels, int scale) {
+        int smallest = levels.reach > Tuning.REACH ? Tuning.TILE_SIDE_OF_MANY : Tuning.TILE_SIDE;
+        return (int) Math.min(1L << 28, (long) smallest << Tuning.TILE_SCALE * scale);
     }
 
     /** Parts that contacts are counted in, and after them the circles of the tiles of the first tiling. */
@@ -86,7 +87,7 @@ public final class Tiles {
 
     /** What a tiling is moved on by; the borders of the last and the first are nearest to each other. */
     private static int third(int side) {
-        return ((1 << side) + 2) / 3;
+        return (side + 2) / 3;
     }
 
     /** First tile of a tiling; of the one after the last, the number of tiles. */
@@ -102,8 +103,8 @@ public final class Tiles {
     /** The tile of a finest cell. */
     public int tile(int tiling, int x, int y) {
         int at = INTS * tiling;
-        int column = x + table[at + OFFSET] >> table[at + SIDE];
-        int row = y + table[at + OFFSET] >> table[at + SIDE];
+        int column = (x + table[at + OFFSET]) / table[at + SIDE];
+        int row = (y + table[at + OFFSET]) / table[at + SIDE];
         return table[at + FIRST] + column % table[at + COLUMNS] * table[at + ROWS] + row % table[at + ROWS];
     }
 }

@@ -201,13 +201,13 @@ public final class Tuning {
     /** How far the reach of a circle goes beyond its radius, radii: cells are 2 r (1 + this) wide. 0.25 to 1. */
     public static final float REACH = 0.5f;
 
-    /** The same where that saves detections, of more than so many circles, where these take longer than substeps. 0.5 to 2. */
-    public static final float REACH_OF_MANY = 1.25f;
+    /** The same where that saves detections, of more than so many circles, where these take longer than substeps. 0.5 to 2.5. */
+    public static final float REACH_OF_MANY = 2;
 
     public static final int MANY = 200_000;
 
     /** How much longer a detection takes then, a factor. 1 to 2. */
-    public static final float WIDER = 1.2f;
+    public static final float WIDER = 1.3f;
 
     /** Gap up to which a contact is always listed, smaller radii. 0.05 to 0.2. */
     public static final float ALWAYS_NEAR = 0.1f;
@@ -229,9 +229,13 @@ public final class Tuning {
     /** Shift of a folded level from one turn of the torus to the next, a share of its height. */
     public static final double FOLD_SHIFT = 0.309;
 
-    /** Power of two that is the side of the smallest tiles, finest cells, and what it grows by to the next. 3 to 5; 1 to 4. */
-    public static final int TILE_SIDE = 3;
+    /** Side of the smallest tiles, finest cells: 3, 5 or more. */
+    public static final int TILE_SIDE = 8;
 
+    /** The same where the reach is {@link #REACH_OF_MANY}. */
+    public static final int TILE_SIDE_OF_MANY = 6;
+
+    /** How many times the side doubles to the tiles of the next scale. 1 to 4. */
     public static final int TILE_SCALE = 2;
 
     /** Fewest circles a tile of one tiling, on average, and tiles that there may be in any case. 4 to 64; 16 to 4,096. */

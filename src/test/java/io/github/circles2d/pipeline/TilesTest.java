@@ -43,9 +43,14 @@ class TilesTest {
                 0,
                 0,
                 8);
-        Levels levels = Levels.of(config, population(circles, ratio), Tuning.REACH);
+        for (float reach : new float[] {Tuning.REACH, Tuning.REACH_OF_MANY}) {
+            neighboursShareATile(Levels.of(config, population(circles, ratio), reach));
+        }
+    }
+
+    private static void neighboursShareATile(Levels levels) {
         Tiles tiles = Tiles.of(levels);
-        SplittableRandom random = new SplittableRandom(circles);
+        SplittableRandom random = new SplittableRandom(levels.circles);
         for (int pair = 0; pair < PAIRS; pair++) {
             int at = Levels.at(random.nextInt(levels.count));
             int shift = levels.table[at + Levels.SHIFT];
