@@ -1,12 +1,14 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.CapacityException;
+import io.github.circles2d.OpenClException;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Substeps;
 import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.nio.IntBuffer;
 import org.jocl.Pointer;
 
 /**
@@ -16,6 +18,8 @@ import org.jocl.Pointer;
  * detection before, the parts of that one are free, and hold the order in which contacts are solved until the next.
  */
 final class Heap {
+    private static final System.Logger LOG = System.getLogger(Heap.class.getName());
+
     /** {@code batch} has three ints a contact, and ints say where. */
     static final int MOST_CONTACTS = Integer.MAX_VALUE / 3 & ~7;
 
@@ -41,11 +45,14 @@ final class Heap {
 
     /** What kernels count places in the heap in, bytes. */
     private static final int UNIT = 32;
-    /** Where parts may begin: transfers of a work-group are as long. */
+    /** Where parts may begin: transfers of a work-group are as long. Between two parts there is as much at least. */
     private static final int ALIGNED = 256;
+    /** What is between parts, and stays: a number in no part, be it read as an int or as a float. */
+    private static final int GUARD = 0x7FC0DEAD;
 
     private final Session session;
     private final Pointer none = Pointer.to(new int[1]);
+    private final Pointer guard = Pointer.to(new int[] {GUARD});
     private DeviceBuffer buffer;
     /** Of every part, the second of two included: bytes, and where it begins. */
     private long[] bytes = new long[PARTS + TURNS];
@@ -129,7 +136,7 @@ final class Heap {
         boolean fits = true;
         for (int i = 0; i < wanted.length; i++) {
             to[i] = all;
-            all += wanted[i] + ALIGNED - 1 & -ALIGNED;
+            all = end(to[i], wanted[i]);
             fits &= wanted[i] <= bytes[i];
         }
         if (fits) {
@@ -143,6 +150,8 @@ final class Heap {
                 if (i < 2 * TURNS || i == index(0, WALLS)) {
                     grown.fill(to[i] + bytes[i], wanted[i] - bytes[i], none);
                 }
+                long stop = to[i] + wanted[i];
+                grown.fill(stop, end(to[i], wanted[i]) - stop, guard);
             }
         } catch (RuntimeException e) {
             // the caller may try again: what was there is still there
@@ -155,6 +164,37 @@ final class Heap {
         at = to;
         capacity = (int) (bytes[index(0, MEMORY)] / 8);
         return true;
+    }
+
+    /** Where the next part begins. */
+    private static long end(long from, long count) {
+        return (from + count + ALIGNED - 1 & -ALIGNED) + ALIGNED;
+    }
+
+    /**
+     * Whether nothing was written between the parts: in one buffer, no tool sees a kernel that leaves its part. True where the device
+     * cannot say.
+     */
+    boolean intact() {
+        IntBuffer between = ByteBuffer.allocateDirect(2 * ALIGNED)
+                .order(ByteOrder.nativeOrder())
+                .asIntBuffer();
+        try {
+            for (int i = 0; i < bytes.length && bytes[0] > 0; i++) {
+                long stop = at[i] + bytes[i];
+                long count = end(at[i], bytes[i]) - stop;
+                buffer.read(stop, between, count);
+                for (int k = 0; k < count / 4; k++) {
+                    if (between.get(k) != GUARD) {
+                        return false;
+                    }
+                }
+            }
+            return true;
+        } catch (OpenClException e) {
+            LOG.log(System.Logger.Level.WARNING, "nobody knows whether kernels kept to their parts", e);
+            return true;
+        }
     }
 
     private void write(int part, int[] values) {

@@ -238,6 +238,7 @@ final class OpenClSmallStages implements SmallStages {
     public void close() {
         if (!closed) {
             closed = true;
+            assert heap.intact() : "a kernel wrote beyond its part of the heap";
             session.close();
         }
     }
