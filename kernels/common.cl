@@ -50,6 +50,8 @@ typedef uint2 c2d_row;
 #define C2D_STALLED 1
 #define C2D_UPDATES 2
 #define C2D_FASTEST 3
+// After it, in worlds of many circles, the highest of vx, -vx, vy and -vy, as c2d_ordered has them.
+#define C2D_RANGES 4
 // What stalled says where contacts are so dense that no order of colours holds them.
 #define C2D_TOO_DENSE 2u
 

@@ -12,7 +12,9 @@ static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *ti
     }
     if (k == 0) {
         status[C2D_CONTACTS] = 0u;
-        status[C2D_FASTEST] = 0u;
+        for (int which = 0; which <= C2D_RANGES; which++) {
+            status[C2D_FASTEST + which] = 0u;
+        }
     }
 }
 

@@ -2,6 +2,7 @@ package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.SmallStages;
+import io.github.circles2d.pipeline.Speeds;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
@@ -86,8 +87,8 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public float fastest() {
-        return state.fastest;
+    public void speeds(Speeds speeds) {
+        state.speeds(speeds);
     }
 
     @Override

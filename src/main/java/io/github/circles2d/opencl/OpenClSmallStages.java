@@ -3,6 +3,7 @@ package io.github.circles2d.opencl;
 import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.SmallStages;
+import io.github.circles2d.pipeline.Speeds;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
@@ -202,8 +203,8 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public float fastest() {
-        return state.fastest();
+    public void speeds(Speeds speeds) {
+        state.speeds(speeds);
     }
 
     @Override

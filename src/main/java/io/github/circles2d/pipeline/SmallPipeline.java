@@ -17,7 +17,7 @@ public final class SmallPipeline implements Stepper {
     private Levels[] levels;
 
     private Levels used;
-    private float fastest;
+    private final Speeds speeds = new Speeds();
     private float before;
     private Substeps substeps;
     private int perDetection;
@@ -32,7 +32,7 @@ public final class SmallPipeline implements Stepper {
     @Override
     public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
         population = Population.of(circle, circles);
-        fastest = population.fastest(velocities);
+        speeds.of(population, velocities);
         levels = Levels.all(config, population);
         used = levels[0];
         stages.upload(circle, velocities, levels);
@@ -41,7 +41,7 @@ public final class SmallPipeline implements Stepper {
     @Override
     public void step() {
         await();
-        int count = config.substeps() > 0 ? config.substeps() : Substeps.choose(config, population, fastest);
+        int count = config.substeps() > 0 ? config.substeps() : Substeps.choose(config, population, speeds.fastest());
         if (substeps == null || substeps.count() != count || substeps.rescales()) {
             substeps = Substeps.of(config, count, before);
         }
@@ -66,7 +66,7 @@ public final class SmallPipeline implements Stepper {
     }
 
     private int perDetection(Levels of) {
-        return substeps.perDetection(config, population, fastest, of.reach);
+        return substeps.perDetection(config, population, speeds.apart(population), of.reach);
     }
 
     private int detections(int each) {
@@ -100,7 +100,7 @@ public final class SmallPipeline implements Stepper {
             detections += status.updates();
         }
         contacts = status.contacts();
-        fastest = stages.fastest();
+        stages.speeds(speeds);
         inFlight = false;
     }
 

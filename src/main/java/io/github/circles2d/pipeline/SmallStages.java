@@ -40,11 +40,11 @@ public interface SmallStages extends DeviceState {
     /** The end of a substep, walls and motion, before a detection. */
     void integrate();
 
-    /** Ends a step: the end of its last substep; makes its circles known to {@link #download}, its highest speed to {@link #fastest}. */
+    /** Ends a step: the end of its last substep; makes its circles known to {@link #download}, its speeds to {@link #speeds}. */
     void publish();
 
-    /** Highest speed after the last step, radii a second; after {@link #await()}. */
-    float fastest();
+    /** Sets the speeds after the last step; after {@link #await()}. */
+    void speeds(Speeds speeds);
 
     /** The status; its updates are the detections done. */
     @Override
