@@ -28,6 +28,11 @@ typedef uint c2d_index;
 typedef uint2 c2d_row;
 #endif
 
+// 1: memory is far, as on a GPU, and is read ahead; 0: there are caches that do so.
+#ifndef C2D_GPU
+#define C2D_GPU 0
+#endif
+
 // Pairs that a work-item of detect looks at.
 #ifndef C2D_PAIRS
 #define C2D_PAIRS 1

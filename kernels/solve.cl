@@ -7,8 +7,8 @@
 #define C2D_SOLVE_HERE                                                                                                 \
     C2D_CIRCLES_HERE, C2D_MEMORY, C2D_SOLVED, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS, status
 
-// The contacts of a tile, a colour at a time, by one work-group. A work-item reads where its next contact is, and what is remembered
-// of it, before it solves this one: nobody else changes that.
+// The contacts of a tile, a colour at a time, by one work-group. On a GPU, a work-item reads where its next contact is, and what is
+// remembered of it, before it solves this one: nobody else changes that.
 static void c2d_solve_tile(int tile, C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
@@ -21,7 +21,7 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
     int2 nextPair = (int2)(0, 0);
     int nextIndex = 0;
     float2 nextMemory = (float2)(0.0f, 0.0f);
-    if (colours > 0 && first + item < end) {
+    if (C2D_GPU && colours > 0 && first + item < end) {
         nextPair = pairs[first + item];
         nextIndex = index[first + item];
         nextMemory = memory[nextIndex];
@@ -30,16 +30,18 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
     for (int colour = 0, from = first; colour < colours; colour++) {
         const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
         for (; from < stop; from += items) {
-            const int2 pair = nextPair;
-            const int k = nextIndex;
-            float2 remembered = nextMemory;
+            const int e = from + item;
+            const bool own = e < stop;
+            const int2 pair = C2D_GPU || !own ? nextPair : pairs[e];
+            const int k = C2D_GPU || !own ? nextIndex : index[e];
+            float2 remembered = C2D_GPU || !own ? nextMemory : memory[k];
             const int next = min(from + items, stop) + item;
-            if (next < nextStop) {
+            if (C2D_GPU && next < nextStop) {
                 nextPair = pairs[next];
                 nextIndex = index[next];
                 nextMemory = memory[nextIndex];
             }
-            if (from + item < stop) {
+            if (own) {
                 float8 a = body[pair.x];
                 float8 b = body[pair.y];
                 if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
@@ -55,16 +57,11 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
     }
 }
 
-// One by one: Oclgrind crashes where a vector is widened.
-static float8 c2d_whole(float4 motion, float4 rest) {
-    return (float8)(motion.s0, motion.s1, motion.s2, motion.s3, rest.s0, rest.s1, rest.s2, rest.s3);
-}
-
-// A tile that fits into local memory: `motion` and `rest` of its circles, the halves of a body, their `places`, and what is
-// `remembered` of its contacts. Each is read and written once, those of a row together, whatever the colours are.
+// A tile that fits into local memory: the `bodies` of its circles and their `places`, and what is `remembered` of its contacts and whether that has
+// `changed`. Each is read and written once, those of a row together, whatever the colours are.
 static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global const int *members,
-                            __global const int *byTile, __local float4 *motion, __local float4 *rest, __local int *places,
-                            __local float2 *remembered) {
+                            __global const int *byTile, __local float8 *bodies, __local int *places,
+                            __local float2 *remembered, __local uchar *changed) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const int first = tileStart[C2D_PARTS * tile];
@@ -74,37 +71,36 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
     __global const int *colourStart = batch + 2 * capacity + first;
     for (int e = first + item; e < end; e += items) {
         remembered[e - first] = memory[byTile[e]];
+        changed[e - first] = 0;
     }
     for (int m = item; m < own.y - own.x; m += items) {
         const int place = members[own.x + m];
-        const float8 b = c2d_integrated(place, moves, true, body, id, kicked, walls, rule);
-        motion[m] = b.s0123;
-        rest[m] = b.s4567;
+        bodies[m] = c2d_integrated(place, moves, true, body, id, kicked, walls, rule);
         places[m] = place;
     }
-    int2 nextPair = first + item < end ? pairs[first + item] : (int2)(0, 0);
+    int2 nextPair = C2D_GPU && first + item < end ? pairs[first + item] : (int2)(0, 0);
     int stop = colours > 1 ? colourStart[1] : end;
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     for (int colour = 0, from = first; colour < colours; colour++) {
         const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
         for (; from < stop; from += items) {
-            const int2 pair = nextPair;
+            const bool visits = from + item < stop;
+            const int2 pair = C2D_GPU || !visits ? nextPair : pairs[from + item];
             const int next = min(from + items, stop) + item;
-            if (next < nextStop) {
+            if (C2D_GPU && next < nextStop) {
                 nextPair = pairs[next];
             }
-            if (from + item < stop) {
+            if (visits) {
                 const int i = pair.x & ((1 << C2D_TURN_BITS) - 1);
                 const int j = pair.x >> C2D_TURN_BITS;
-                float8 a = c2d_whole(motion[i], rest[i]);
-                float8 b = c2d_whole(motion[j], rest[j]);
+                float8 a = bodies[i];
+                float8 b = bodies[j];
                 float2 now = remembered[pair.y];
                 if (c2d_visit(&a, &b, &now, places[i], places[j], id, kicked, numbers)) {
-                    motion[i] = a.s0123;
-                    rest[i] = a.s4567;
-                    motion[j] = b.s0123;
-                    rest[j] = b.s4567;
+                    bodies[i] = a;
+                    bodies[j] = b;
                     remembered[pair.y] = now;
+                    changed[pair.y] = 1;
                 }
             }
         }
@@ -113,10 +109,12 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
         barrier(CLK_LOCAL_MEM_FENCE);
     }
     for (int m = item; m < own.y - own.x; m += items) {
-        body[places[m]] = c2d_whole(motion[m], rest[m]);
+        body[places[m]] = bodies[m];
     }
     for (int e = first + item; e < end; e += items) {
-        memory[byTile[e]] = remembered[e - first];
+        if (changed[e - first] != 0) {
+            memory[byTile[e]] = remembered[e - first];
+        }
     }
 }
 
@@ -126,15 +124,15 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
 #define C2D_MOVE_AND_KICK 2
 
 // A tiling, one work-group a tile. The first one begins with the circles' own share.
-__kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float4 *motion, __local float4 *rest,
-                        __local int *places, __local float2 *remembered) {
+__kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float8 *bodies, __local int *places,
+                        __local float2 *remembered, __local uchar *changed) {
     const int tile = firstTile + (int)get_group_id(0);
     const bool starts = begins != C2D_NOTHING && status[C2D_STALLED] == 0u;
     const bool moves = begins == C2D_MOVE_AND_KICK;
     const int2 own = starts ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
     const int contacts = C2D_TILE_START[C2D_PARTS * (tile + 1)] - C2D_TILE_START[C2D_PARTS * tile];
     if (starts && c2d_fits(own.y - own.x, contacts)) {
-        c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, C2D_MEMBERS, C2D_BY_TILE, motion, rest, places, remembered);
+        c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, C2D_MEMBERS, C2D_BY_TILE, bodies, places, remembered, changed);
         return;
     }
     for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {

@@ -54,7 +54,7 @@ final class Launches {
                                 event);
                     }
                     Object result = method.invoke(api, args);
-                    if (method.getName().equals("setKernelArg") && args[3] == null && (long) args[2] > 16) {
+                    if (method.getName().equals("setKernelArg") && args[3] == null && (long) args[2] > 64) {
                         // the first tiling alone has local memory
                         names.replace((cl_kernel) args[0], "c2d_solve", FIRST_TILING);
                     }

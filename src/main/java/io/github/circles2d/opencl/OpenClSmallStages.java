@@ -60,8 +60,8 @@ final class OpenClSmallStages implements SmallStages {
             state = new State(session);
             heap = new Heap(session);
             tables = config.strategy().pairwise() ? new PairTables(session, config) : null;
-            stats = new Stats(session, config, group, () -> SmallKernels.stats(session));
-            solving = SmallKernels.solving(session);
+            stats = new Stats(session, config, group, () -> SmallKernels.stats(session, config));
+            solving = SmallKernels.solving(session, config);
             rescale = new Kernel(session, solving, "c2d_rescale");
             compile(false);
         } catch (RuntimeException e) {
@@ -174,7 +174,7 @@ final class OpenClSmallStages implements SmallStages {
         SmallWorld world = new SmallWorld(config, state, heap, index, levels, tiles, session.device);
         SmallKernels now = kernels[index];
         if (world.alone() && now.alone == null) {
-            aloneProgram = aloneProgram == null ? SmallKernels.alone(session) : aloneProgram;
+            aloneProgram = aloneProgram == null ? SmallKernels.alone(session, config) : aloneProgram;
             now.alone = new Alone(session, aloneProgram);
         }
         now.bind(world);

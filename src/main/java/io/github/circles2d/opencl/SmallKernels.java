@@ -55,23 +55,32 @@ final class SmallKernels {
                 "integrate")) {
             sources.add(Program.file(file + ".cl"));
         }
-        return Program.build(session, defines(wide, pairwise), sources);
+        return Program.build(session, defines(session, config, wide, pairwise), sources);
     }
 
     /**
      * Compiles the kernels that visit contacts. A compiler that can be told how many registers a work-item may have is told: more
      * work-items at a time are worth more than what does not fit.
      */
-    static Program solving(Session session) {
+    static Program solving(Session session, WorldConfig config) {
         String registers = session.device.limitsRegisters ? " -cl-nv-maxrregcount=" + Tuning.GPU_SOLVE_REGISTERS : "";
         return build(
-                session, registers, List.of("solve"), "batch", "batch_colour", "batch_order", "integrate", "visit");
+                session,
+                config,
+                registers,
+                List.of("solve"),
+                "batch",
+                "batch_colour",
+                "batch_order",
+                "integrate",
+                "visit");
     }
 
     /** Compiles the kernels for one work-group. */
-    static Program alone(Session session) {
+    static Program alone(Session session, WorldConfig config) {
         return build(
                 session,
+                config,
                 "",
                 List.of("alone"),
                 "grid",
@@ -84,12 +93,13 @@ final class SmallKernels {
     }
 
     /** Compiles the kernels of statistics. */
-    static Program stats(Session session) {
-        return build(session, "", List.of("stats", "stats_lists"));
+    static Program stats(Session session, WorldConfig config) {
+        return build(session, config, "", List.of("stats", "stats_lists"));
     }
 
     /** Compiles the kernels of some files, which call functions of others. */
-    private static Program build(Session session, String options, List<String> files, String... others) {
+    private static Program build(
+            Session session, WorldConfig config, String options, List<String> files, String... others) {
         List<Map.Entry<String, String>> sources = new ArrayList<>();
         for (String file : List.of("common", "detect", "small")) {
             sources.add(Program.functions(file + ".cl"));
@@ -100,11 +110,14 @@ final class SmallKernels {
         for (String file : files) {
             sources.add(Program.file(file + ".cl"));
         }
-        return Program.build(session, options, defines(false, false), sources);
+        return Program.build(session, options, defines(session, config, false, false), sources);
     }
 
-    private static Map<String, Integer> defines(boolean wide, boolean pairwise) {
+    /** A size of groups that is asked for has the kernels be as a GPU has them, so that they can be run where there is none. */
+    private static Map<String, Integer> defines(Session session, WorldConfig config, boolean wide, boolean pairwise) {
         return Map.of(
+                "C2D_GPU",
+                session.device.isGpu() || config.workGroup() > 0 ? 1 : 0,
                 "C2D_WIDE",
                 wide ? 1 : 0,
                 "C2D_PAIRWISE",

@@ -51,10 +51,10 @@ final class Solve {
                         tiles.tiles,
                         tiles.first(tiling),
                         begins,
-                        new Kernel.Local(16L * circles),
-                        new Kernel.Local(16L * circles),
+                        new Kernel.Local(32L * circles),
                         new Kernel.Local(4L * circles),
-                        new Kernel.Local(8L * contacts))
+                        new Kernel.Local(8L * contacts),
+                        new Kernel.Local(contacts))
                 .groups(tiles.count(tiling), local ? world.firstTileGroup() : world.tileGroup());
     }
 

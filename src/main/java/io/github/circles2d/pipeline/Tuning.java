@@ -244,12 +244,12 @@ public final class Tuning {
     public static final int TILES_FEW = 64;
 
     /**
-     * Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 600; 16 to 2,000: they take 36 and 8
+     * Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 600; 16 to 2,000: they take 36 and 9
      * bytes each, and every device has 32 KiB.
      */
-    public static final int TILE_CIRCLES = 576;
+    public static final int TILE_CIRCLES = 550;
 
-    public static final int TILE_CONTACTS = 1504;
+    public static final int TILE_CONTACTS = 1440;
 
     /** Circles up to which one work-group does most of a detection and its substeps, on a GPU. 0 (never) to 10^4. */
     public static final int ALONE_CIRCLES = 1280;
