@@ -2,7 +2,7 @@ package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Substeps;
 
-/** Twin of {@code kernels/integrate.cl}: a substep's share of each circle alone. */
+/** Twin of {@code kernels/integrate.cl} and {@code walls.cl}: a substep's share of each circle alone. */
 final class Integrate {
     private final SmallState state;
     private final Workers workers;

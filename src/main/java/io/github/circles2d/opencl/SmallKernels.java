@@ -41,8 +41,8 @@ final class SmallKernels {
                     "index_" + config.strategy().name() + ".cl",
                     config.strategy().kernelSource()));
         }
+        sources.add(Program.functions("detect.cl"));
         for (String file : List.of(
-                "detect",
                 "small",
                 "scan",
                 "grid",
@@ -52,6 +52,7 @@ final class SmallKernels {
                 "batch",
                 "batch_colour",
                 "batch_order",
+                "walls",
                 "integrate")) {
             sources.add(Program.file(file + ".cl"));
         }
@@ -72,6 +73,7 @@ final class SmallKernels {
                 "batch",
                 "batch_colour",
                 "batch_order",
+                "walls",
                 "integrate",
                 "visit");
     }
@@ -87,6 +89,7 @@ final class SmallKernels {
                 "batch",
                 "batch_colour",
                 "batch_order",
+                "walls",
                 "integrate",
                 "visit",
                 "solve");
