@@ -28,7 +28,7 @@ static int c2d_batch_part(int tile, int row) { return C2D_PARTS * tile + row % C
 #define C2D_TURN_OF C2D_AT(int, from)
 #define C2D_MASK C2D_AT(ulong, kicked)
 
-// Which of their parts four neighbours are, -1 for none; those of one part are counted in one go, for counting into one place takes
+// As which of its part each of four neighbours is counted; `part`: their parts, -1 for none. Those of one part are counted in one go, for counting into one place takes
 // turns.
 static int4 c2d_batch_turns(int4 part, __global int *tileStart) {
     const int z = part.w == part.z ? 2 : 1;

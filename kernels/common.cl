@@ -55,8 +55,6 @@ typedef uint2 c2d_row;
 #define C2D_STALLED 1
 #define C2D_UPDATES 2
 #define C2D_FASTEST 3
-// After it, in worlds of many circles, the highest of vx, -vx, vy and -vy, as c2d_ordered has them.
-#define C2D_RANGES 4
 // What stalled says where contacts are so dense that no order of colours holds them.
 #define C2D_TOO_DENSE 2u
 
@@ -141,7 +139,7 @@ static int c2d_scan_group(__global int *values, int count, __local int *sums) {
     for (int from = 0; from < count; from += C2D_SCAN * items) {
         const int first = from + C2D_SCAN * (int)get_local_id(0);
         c2d_scan_part(values, first, count, from > 0 ? values[from - 1] : 0, sums);
-        barrier(CLK_GLOBAL_MEM_FENCE);
+        barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     }
     return count > 0 ? values[count - 1] : 0;
 }

@@ -1,20 +1,18 @@
 // Sorts the circles by bucket of their cell, and by number within each: a counting sort, then ranks. One work-item a circle.
 // Reads what the detection before wrote and leaves it as it is, so that a detection can be done again. Twin of host.Grid.
 
-// Empties what is counted into: cell or tile k, of as many and one more.
+// Empties what is counted into, cell k and part k of the tiles, of as many and one more; and what the status says of the step.
 static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *tileStart, __global uint *status, int cells,
-                              int tiles) {
+                              int parts) {
     if (k <= cells) {
         bucketStart[k] = 0;
     }
-    if (k <= tiles) {
+    if (k <= parts) {
         tileStart[k] = 0;
     }
     if (k == 0) {
         status[C2D_CONTACTS] = 0u;
-        for (int which = 0; which <= C2D_RANGES; which++) {
-            status[C2D_FASTEST + which] = 0u;
-        }
+        status[C2D_FASTEST] = 0u;
     }
 }
 
@@ -26,9 +24,9 @@ static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *ti
 #define C2D_ID_BEFORE C2D_AT(const int, idBefore)
 
 // The first launch of a detection.
-__kernel void c2d_grid_clear(C2D_WORLD, int cells, int tiles) {
+__kernel void c2d_grid_clear(C2D_WORLD, int cells, int parts) {
     if (status[C2D_STALLED] == 0u) {
-        c2d_grid_clear_at((int)get_global_id(0), C2D_BUCKET_START, C2D_TILE_START, status, cells, tiles);
+        c2d_grid_clear_at((int)get_global_id(0), C2D_BUCKET_START, C2D_TILE_START, status, cells, parts);
     }
 }
 

@@ -63,16 +63,11 @@ __kernel void c2d_load(C2D_WORLD, __global const float4 *circle, __global const 
     }
 }
 
-// Bits that compare as floats do; 0 comes before all of them.
-static uint c2d_ordered(float x) { return as_uint(x) ^ ((as_uint(x) >> 31) != 0u ? 0xFFFFFFFFu : 0x80000000u); }
-
-// The end of a step: that of its last substep, then the circles by number, and the highest speed, in radii a second. `ranges`: those
-// of velocities too, or none. `highest`: for each of them.
-__kernel void c2d_publish(C2D_WORLD, __global float4 *circle, __global float2 *velocities, int ranges,
-                          __local uint *highest) {
+// The end of a step: that of its last substep, then the circles by number, and the highest speed, in radii a second.
+__kernel void c2d_publish(C2D_WORLD, __global float4 *circle, __global float2 *velocities, __local uint *fastest) {
     const int i = (int)get_global_id(0);
-    for (int k = (int)get_local_id(0); k <= ranges; k += (int)get_local_size(0)) {
-        highest[k] = 0u;
+    if (get_local_id(0) == 0) {
+        *fastest = 0u;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (i < world.circles && status[C2D_STALLED] == 0u) {
@@ -82,16 +77,10 @@ __kernel void c2d_publish(C2D_WORLD, __global float4 *circle, __global float2 *v
         circle[to].xy = b.s01;
         velocities[to] = b.s23;
         // positive floats compare as their bits do
-        atomic_max(&highest[0], as_uint(c2d_positive(sqrt(b.s2 * b.s2 + b.s3 * b.s3) / b.s6)));
-        if (ranges > 0) {
-            atomic_max(&highest[1], c2d_ordered(b.s2));
-            atomic_max(&highest[2], c2d_ordered(-b.s2));
-            atomic_max(&highest[3], c2d_ordered(b.s3));
-            atomic_max(&highest[4], c2d_ordered(-b.s3));
-        }
+        atomic_max(fastest, as_uint(c2d_positive(sqrt(b.s2 * b.s2 + b.s3 * b.s3) / b.s6)));
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int k = (int)get_local_id(0); k <= ranges; k += (int)get_local_size(0)) {
-        atomic_max(&status[C2D_FASTEST + k], highest[k]);
+    if (get_local_id(0) == 0) {
+        atomic_max(&status[C2D_FASTEST], *fastest);
     }
 }

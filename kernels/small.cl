@@ -12,7 +12,8 @@
 
 // All of that is in one buffer, for a launch takes longer with every buffer that it gets: a kernel gets the `heap`, the status, and a
 // c2d_world, which says where the parts of the heap begin, in units of 32 bytes. Twin: opencl.Heap. `Before`: those of the
-// detection before. What a part holds while it is not needed for that, the macros below and kernels/batch.cl say.
+// detection before. What a part holds while
+// it is not needed for that, each file says where it names it with C2D_AT.
 typedef struct {
     uint body;
     uint bodyBefore;

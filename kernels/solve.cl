@@ -57,8 +57,8 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
     }
 }
 
-// A tile that fits into local memory: the `bodies` of its circles and their `places`, and what is `remembered` of its contacts and whether that has
-// `changed`. Each is read and written once, those of a row together, whatever the colours are.
+// A tile that fits into local memory: the `bodies` of its circles and their `places`; what is `remembered` of its contacts, and
+// whether that has `changed`. Each is read and written once, those of a row together, whatever the colours are.
 static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global const int *members,
                             __global const int *byTile, __local float8 *bodies, __local int *places,
                             __local float2 *remembered, __local uchar *changed) {
@@ -118,7 +118,7 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
     }
 }
 
-// What comes before the contacts of a tiling: nothing; the start of a substep; the end of one and the start of the next.
+// What a tiling `begins` with, before its contacts: nothing; the start of a substep; the end of one and the start of the next.
 #define C2D_NOTHING 0
 #define C2D_KICK 1
 #define C2D_MOVE_AND_KICK 2

@@ -93,6 +93,8 @@ public final class StageTimes {
                 span += launches.take(times);
             }
             double wall = (System.nanoTime() - start) / 1e3 / STEPS;
+            StepSums sums = stages.sums();
+            long contacts = stepper.contacts();
             launches.unwatch();
             start = System.nanoTime();
             for (int step = 0; step < STEPS; step++) {
@@ -100,7 +102,6 @@ public final class StageTimes {
                 stepper.await();
             }
             double unwatched = (System.nanoTime() - start) / 1e3 / STEPS;
-            StepSums sums = stages.sums();
             System.out.printf(
                     "%n%s, %s, %d circles, after %d steps, %s, %s substeps, %s, %s%n"
                             + "contacts listed %d, touching %d, mean overlap %.4f, max %.3f, fastest %.3g%n"
@@ -114,7 +115,7 @@ public final class StageTimes {
                     args[5],
                     args[6],
                     args[7],
-                    stepper.contacts(),
+                    contacts,
                     sums.touching(),
                     sums.meanOverlap(),
                     sums.largestOverlap(),
@@ -125,7 +126,7 @@ public final class StageTimes {
                     config,
                     circle,
                     circles,
-                    stepper.contacts(),
+                    contacts,
                     detections > 0 ? count(times, "c2d_batch_colour") / detections : 0);
             CopySpeed copy = CopySpeed.measure(device, launches.context(), launches.queue());
             double busy = 0;

@@ -73,7 +73,7 @@ class SmallStepsSameBitsTest {
         }
     }
 
-    /** A world of more circles than that is none for one work-group, but has gravity and kicks in the first tiling. */
+    /** A world of more circles than that is none for one work-group. */
     @ParameterizedTest
     @ValueSource(strings = {"pile", "pebbles", "bullets"})
     void oneHashForEveryWayToCutASubstep(String scene) {

@@ -2,7 +2,6 @@ package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.SmallStages;
-import io.github.circles2d.pipeline.Speeds;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
@@ -35,8 +34,8 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels) {
-        state.upload(circle, velocities, levels[0]);
+    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels, Levels used) {
+        state.upload(circle, velocities, used);
         contacts.ensureCircles(state.id.length);
     }
 
@@ -87,8 +86,8 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void speeds(Speeds speeds) {
-        state.speeds(speeds);
+    public float fastest() {
+        return state.fastest;
     }
 
     @Override

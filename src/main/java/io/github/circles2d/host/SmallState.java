@@ -1,7 +1,6 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
-import io.github.circles2d.pipeline.Speeds;
 import io.github.circles2d.pipeline.Substeps;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
@@ -44,6 +43,7 @@ final class SmallState {
 
     Levels levels;
     Substeps substeps;
+    float fastest;
 
     /** The kernel {@code c2d_load}. */
     void upload(FloatBuffer newCircle, FloatBuffer newVelocities, Levels newLevels) {
@@ -82,21 +82,18 @@ final class SmallState {
 
     /** The kernel {@code c2d_publish}. */
     void publish() {
+        fastest = 0;
         for (int i = 0; i < circles; i++) {
             int b = BODY * i;
             int d = id[i];
+            float vx = body[b + VX];
+            float vy = body[b + VY];
             circle[4 * d] = body[b + X];
             circle[4 * d + 1] = body[b + Y];
-            velocities[2 * d] = body[b + VX];
-            velocities[2 * d + 1] = body[b + VY];
-        }
-    }
-
-    void speeds(Speeds speeds) {
-        speeds.clear(circles);
-        for (int i = 0; i < circles; i++) {
-            int b = BODY * i;
-            speeds.add(body[b + VX], body[b + VY], body[b + RADIUS]);
+            velocities[2 * d] = vx;
+            velocities[2 * d + 1] = vy;
+            float speed = (float) Math.sqrt(vx * vx + vy * vy) / body[b + RADIUS];
+            fastest = speed > fastest ? speed : fastest;
         }
     }
 

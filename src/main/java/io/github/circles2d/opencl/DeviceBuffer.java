@@ -11,8 +11,6 @@ import org.jocl.cl_mem;
 
 /** One buffer of the device: owns its {@code cl_mem}. Named as the kernels name it. */
 final class DeviceBuffer implements AutoCloseable {
-    private static final long COPIED_AT_ONCE = 1 << 22;
-
     private final Session session;
     private final String name;
     private cl_mem memory;
@@ -46,33 +44,6 @@ final class DeviceBuffer implements AutoCloseable {
     /** Whole ints, and never nothing, which drivers refuse. */
     private static long room(long wanted) {
         return Math.max(wanted + 3 & ~3, 16);
-    }
-
-    /** As {@link #ensure}, but keeps what is in the buffer, and sets every int of what is new to {@code value}. */
-    void grow(long wanted, int value) {
-        long needed = room(wanted);
-        if (bytes >= needed) {
-            return;
-        }
-        cl_mem old = memory;
-        long kept = bytes;
-        memory = null;
-        bytes = 0;
-        try {
-            ensure(needed);
-            copy(old, 0, 0, kept);
-            fill(kept, bytes - kept, Pointer.to(new int[] {value}));
-        } catch (RuntimeException e) {
-            // the caller may try again: what was there is still there
-            release();
-            memory = old;
-            bytes = kept;
-            throw e;
-        }
-        if (old != null) {
-            Cl.checkRelease("clReleaseMemObject(" + name + ")", session.api.releaseMemObject(old));
-            session.unbook(kept);
-        }
     }
 
     /** Copies bytes of another buffer; there may be none. */

@@ -18,7 +18,7 @@ import org.jocl.Pointer;
  * detection before, the parts of that one are free, and hold the order in which contacts are solved until the next.
  */
 final class Heap {
-    private static final System.Logger LOG = System.getLogger(Heap.class.getName());
+    private static final System.Logger LOG = System.getLogger("io.github.circles2d");
 
     /** {@code batch} has three ints a contact, and ints say where. */
     static final int MOST_CONTACTS = Integer.MAX_VALUE / 3 & ~7;
@@ -51,7 +51,7 @@ final class Heap {
     private static final int GUARD = 0x7FC0DEAD;
 
     private final Session session;
-    private final Pointer none = Pointer.to(new int[1]);
+    private final Pointer zero = Pointer.to(new int[1]);
     private final Pointer guard = Pointer.to(new int[] {GUARD});
     private DeviceBuffer buffer;
     /** Of every part, the second of two included: bytes, and where it begins. */
@@ -93,7 +93,11 @@ final class Heap {
             want(wanted, TILE_START, 4L * (tiles.parts() + 1));
             want(wanted, TILE_COLOURS, 4L * tiles.tiles);
         }
-        wantContacts(wanted, (long) Tuning.CONTACTS_PER_CIRCLE * levels[0].circles + Tuning.FIRST_CONTACTS);
+        long contacts = (long) Tuning.CONTACTS_PER_CIRCLE * levels[0].circles + Tuning.FIRST_CONTACTS;
+        if (contacts > capacity) {
+            // one circle more should not move all the others again and again
+            wantContacts(wanted, Math.max(contacts, Math.min(MOST_CONTACTS, (long) (capacity * Tuning.GROWTH))));
+        }
         return grow(wanted);
     }
 
@@ -136,7 +140,7 @@ final class Heap {
         boolean fits = true;
         for (int i = 0; i < wanted.length; i++) {
             to[i] = all;
-            all = end(to[i], wanted[i]);
+            all = next(to[i], wanted[i]);
             fits &= wanted[i] <= bytes[i];
         }
         if (fits) {
@@ -148,10 +152,10 @@ final class Heap {
             for (int i = 0; i < wanted.length; i++) {
                 grown.copy(buffer, at[i], to[i], bytes[i]);
                 if (i < 2 * TURNS || i == index(0, WALLS)) {
-                    grown.fill(to[i] + bytes[i], wanted[i] - bytes[i], none);
+                    grown.fill(to[i] + bytes[i], wanted[i] - bytes[i], zero);
                 }
                 long stop = to[i] + wanted[i];
-                grown.fill(stop, end(to[i], wanted[i]) - stop, guard);
+                grown.fill(stop, next(to[i], wanted[i]) - stop, guard);
             }
         } catch (RuntimeException e) {
             // the caller may try again: what was there is still there
@@ -167,13 +171,13 @@ final class Heap {
     }
 
     /** Where the next part begins. */
-    private static long end(long from, long count) {
+    private static long next(long from, long count) {
         return (from + count + ALIGNED - 1 & -ALIGNED) + ALIGNED;
     }
 
     /**
-     * Whether nothing was written between the parts: in one buffer, no tool sees a kernel that leaves its part. True where the device
-     * cannot say.
+     * Whether nothing was written between the parts: in one buffer, no tool sees a kernel that leaves its part. It is seen here if it
+     * writes into the {@value #ALIGNED} bytes after its part, not if it reads there or goes farther. True where the device cannot say.
      */
     boolean intact() {
         IntBuffer between = ByteBuffer.allocateDirect(2 * ALIGNED)
@@ -182,7 +186,7 @@ final class Heap {
         try {
             for (int i = 0; i < bytes.length && bytes[0] > 0; i++) {
                 long stop = at[i] + bytes[i];
-                long count = end(at[i], bytes[i]) - stop;
+                long count = next(at[i], bytes[i]) - stop;
                 buffer.read(stop, between, count);
                 for (int k = 0; k < count / 4; k++) {
                     if (between.get(k) != GUARD) {

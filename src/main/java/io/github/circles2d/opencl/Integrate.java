@@ -1,7 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Speeds;
-
 /** Host code of {@code kernels/integrate.cl}: a substep's share of each circle alone. */
 final class Integrate {
     private final Kernel integrate;
@@ -15,8 +13,7 @@ final class Integrate {
     void bind(SmallWorld world) {
         State state = world.state();
         integrate.arguments(world.known()).range(state.circles, world.group());
-        int ranges = Speeds.ranges(state.circles) ? State.RANGES : 0;
-        publish.arguments(world.known(), state.circle, state.velocities, ranges, new Kernel.Local(4 + 4 * State.RANGES))
+        publish.arguments(world.known(), state.circle, state.velocities, new Kernel.Local(4))
                 .range(state.circles, world.group());
     }
 

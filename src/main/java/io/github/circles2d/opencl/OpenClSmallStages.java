@@ -3,7 +3,6 @@ package io.github.circles2d.opencl;
 import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.SmallStages;
-import io.github.circles2d.pipeline.Speeds;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
@@ -90,15 +89,15 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] newLevels) {
-        int circles = newLevels[0].circles;
+    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] newLevels, Levels used) {
+        int circles = used.circles;
         // only pairs have numbers
         compile(config.strategy().pairwise() && IndexStrategies.wide(circles));
         state.upload(circle, velocities, circles);
         if (heap.ensureCircles(newLevels, circle.capacity() / 4)) {
             unbind();
         }
-        use(newLevels[0]);
+        use(used);
         load.arguments(last(), state.circle, state.velocities, placed)
                 .range(circles, group)
                 .launch();
@@ -108,10 +107,12 @@ final class OpenClSmallStages implements SmallStages {
     @Override
     public void use(Levels now) {
         if (levels == null || !levels.same(now)) {
-            levels = now;
-            tiles = Tiles.of(levels);
-            heap.write(levels, tiles);
+            // whoever tries again after a failure writes them again
+            levels = null;
             unbind();
+            tiles = Tiles.of(now);
+            heap.write(now, tiles);
+            levels = now;
         }
     }
 
@@ -203,8 +204,8 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void speeds(Speeds speeds) {
-        state.speeds(speeds);
+    public float fastest() {
+        return state.fastest();
     }
 
     @Override
@@ -239,8 +240,11 @@ final class OpenClSmallStages implements SmallStages {
     public void close() {
         if (!closed) {
             closed = true;
-            assert heap.intact() : "a kernel wrote beyond its part of the heap";
-            session.close();
+            try {
+                assert heap.intact() : "a kernel wrote beyond its part of the heap";
+            } finally {
+                session.close();
+            }
         }
     }
 }

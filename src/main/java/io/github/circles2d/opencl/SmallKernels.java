@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** The stages of small steps for one of the two turns, bound to its buffers. */
+/** The stages of small steps for one of the two turns, bound to its parts of the heap. */
 final class SmallKernels {
     final Grid grid;
     final Find find;
@@ -19,7 +19,7 @@ final class SmallKernels {
 
     /** Whether {@link #alone} does most of it. */
     boolean isAlone;
-    /** Whether the arguments are those of the buffers as they are now. */
+    /** Whether the arguments are those of the heap as it is now. */
     boolean bound;
 
     SmallKernels(Session session, Program program, Program solving, PairTables tables) {
@@ -41,7 +41,6 @@ final class SmallKernels {
                     "index_" + config.strategy().name() + ".cl",
                     config.strategy().kernelSource()));
         }
-        sources.add(Program.functions("detect.cl"));
         for (String file : List.of(
                 "small",
                 "scan",
@@ -70,6 +69,7 @@ final class SmallKernels {
                 config,
                 registers,
                 List.of("solve"),
+                "detect",
                 "batch",
                 "batch_colour",
                 "batch_order",
@@ -85,6 +85,7 @@ final class SmallKernels {
                 config,
                 "",
                 List.of("alone"),
+                "detect",
                 "grid",
                 "batch",
                 "batch_colour",
@@ -104,7 +105,7 @@ final class SmallKernels {
     private static Program build(
             Session session, WorldConfig config, String options, List<String> files, String... others) {
         List<Map.Entry<String, String>> sources = new ArrayList<>();
-        for (String file : List.of("common", "detect", "small")) {
+        for (String file : List.of("common", "small")) {
             sources.add(Program.functions(file + ".cl"));
         }
         for (String file : others) {

@@ -8,7 +8,7 @@ import io.github.circles2d.pipeline.WorldConfig;
 /**
  * What the stages of small steps bind their kernels to.
  *
- * @param turn which of two parts of the heap the detection writes
+ * @param turn which of the two of each part of the heap the detection writes
  */
 record SmallWorld(
         WorldConfig config, State state, Heap heap, int turn, Levels levels, Tiles tiles, OpenClDevice device) {

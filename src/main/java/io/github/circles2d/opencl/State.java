@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Speeds;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteBuffer;
@@ -12,13 +11,7 @@ import java.nio.FloatBuffer;
  * microseconds, however small.
  */
 final class State {
-    private static final int STATUS_BYTES = 32;
-
-    /** {@code C2D_FASTEST}, bytes. */
-    private static final int FASTEST = 12;
-
-    /** {@code C2D_RANGES}. */
-    static final int RANGES = 4;
+    private static final int STATUS_BYTES = 16;
 
     /** {@code C2D_TOO_DENSE}. */
     private static final int TOO_DENSE = 2;
@@ -37,6 +30,8 @@ final class State {
     private final Staging staging;
     /** The staging memory holds all of the device's state. */
     private boolean stagedWhole;
+
+    private float fastest;
 
     private final Status done = new Status();
     private int updatesSeen;
@@ -92,6 +87,7 @@ final class State {
         ByteBuffer said = staging.bytes();
         int updates = said.getInt(8) - updatesSeen;
         updatesSeen = said.getInt(8);
+        fastest = said.getFloat(12);
         if (said.getInt(4) == TOO_DENSE) {
             throw Status.tooDense();
         }
@@ -102,16 +98,9 @@ final class State {
         return session.device.isGpu();
     }
 
-    /** Sets the speeds after the last step; after {@link #await()}, of small steps. */
-    void speeds(Speeds to) {
-        to.clear(circles).fastest(staging.bytes().getFloat(FASTEST));
-        to.ranges(ordered(FASTEST + 4), ordered(FASTEST + 8), ordered(FASTEST + 12), ordered(FASTEST + 16));
-    }
-
-    /** The float of {@code c2d_ordered}. */
-    private float ordered(int at) {
-        int bits = staging.bytes().getInt(at);
-        return Float.intBitsToFloat(bits < 0 ? bits ^ Integer.MIN_VALUE : ~bits);
+    /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */
+    float fastest() {
+        return fastest;
     }
 
     /** Says that kernels have been queued that change the circles. */

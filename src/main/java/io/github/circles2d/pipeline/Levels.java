@@ -201,8 +201,8 @@ public final class Levels {
         return (int) (low < last ? low : last);
     }
 
-    /** Whether two have the same cells. */
+    /** Whether two have the same cells and tiles. */
     public boolean same(Levels other) {
-        return other.circles == circles && Arrays.equals(other.table, table);
+        return other.circles == circles && other.reach == reach && Arrays.equals(other.table, table);
     }
 }

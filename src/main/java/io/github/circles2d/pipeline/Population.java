@@ -49,4 +49,16 @@ public record Population(
     public float[] reaches() {
         return circles > Tuning.MANY ? new float[] {Tuning.REACH, Tuning.REACH_OF_MANY} : new float[] {Tuning.REACH};
     }
+
+    /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_publish}. */
+    public float fastest(FloatBuffer velocities) {
+        float fastest = 0;
+        for (int i = 0; i < circles; i++) {
+            float vx = velocities.get(2 * i);
+            float vy = velocities.get(2 * i + 1);
+            float speed = (float) Math.sqrt(vx * vx + vy * vy) / circle.get(4 * i + 2);
+            fastest = speed > fastest ? speed : fastest;
+        }
+        return fastest;
+    }
 }

@@ -17,7 +17,7 @@ public final class SmallPipeline implements Stepper {
     private Levels[] levels;
 
     private Levels used;
-    private final Speeds speeds = new Speeds();
+    private float fastest;
     private float before;
     private Substeps substeps;
     private int perDetection;
@@ -32,16 +32,17 @@ public final class SmallPipeline implements Stepper {
     @Override
     public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
         population = Population.of(circle, circles);
-        speeds.of(population, velocities);
+        fastest = population.fastest(velocities);
+        boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
-        used = levels[0];
-        stages.upload(circle, velocities, levels);
+        used = levels[wide ? levels.length - 1 : 0];
+        stages.upload(circle, velocities, levels, used);
     }
 
     @Override
     public void step() {
         await();
-        int count = config.substeps() > 0 ? config.substeps() : Substeps.choose(config, population, speeds.fastest());
+        int count = config.substeps() > 0 ? config.substeps() : Substeps.choose(config, population, fastest);
         if (substeps == null || substeps.count() != count || substeps.rescales()) {
             substeps = Substeps.of(config, count, before);
         }
@@ -49,9 +50,10 @@ public final class SmallPipeline implements Stepper {
         Levels now = levels[0];
         perDetection = perDetection(now);
         for (Levels wider : levels) {
-            // as many detections as that takes, each of which takes longer
+            // wider cells where they save more detections than each gets longer, and as long as they save any
             int fewer = perDetection(wider);
-            if (wider.reach > now.reach && detections(fewer) * Tuning.WIDER < detections(perDetection)) {
+            float longer = wider == used ? 1 : Tuning.WIDER;
+            if (wider.reach > now.reach && detections(fewer) * longer < detections(perDetection)) {
                 now = wider;
                 perDetection = fewer;
             }
@@ -66,7 +68,7 @@ public final class SmallPipeline implements Stepper {
     }
 
     private int perDetection(Levels of) {
-        return substeps.perDetection(config, population, speeds.apart(population), of.reach);
+        return substeps.perDetection(config, population, fastest, of.reach);
     }
 
     private int detections(int each) {
@@ -100,7 +102,7 @@ public final class SmallPipeline implements Stepper {
             detections += status.updates();
         }
         contacts = status.contacts();
-        stages.speeds(speeds);
+        fastest = stages.fastest();
         inFlight = false;
     }
 

@@ -12,9 +12,10 @@ public interface SmallStages extends DeviceState {
      *
      * @param circle (x, y, radius, mass) a circle, world units; direct, native order, read from 0
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
-     * @param levels those that there is to be room for; the first is used until {@link #use}
+     * @param levels those that there is to be room for
+     * @param used the one of them that is used until {@link #use}
      */
-    void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels);
+    void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels, Levels used);
 
     /** Which of the levels the detections that follow have their cells from. */
     void use(Levels levels);
@@ -40,11 +41,11 @@ public interface SmallStages extends DeviceState {
     /** The end of a substep, walls and motion, before a detection. */
     void integrate();
 
-    /** Ends a step: the end of its last substep; makes its circles known to {@link #download}, its speeds to {@link #speeds}. */
+    /** Ends a step: the end of its last substep; makes its circles known to {@link #download}, its highest speed to {@link #fastest}. */
     void publish();
 
-    /** Sets the speeds after the last step; after {@link #await()}. */
-    void speeds(Speeds speeds);
+    /** Highest speed after the last step, radii a second; after {@link #await()}. */
+    float fastest();
 
     /** The status; its updates are the detections done. */
     @Override

@@ -110,19 +110,19 @@ public record Substeps(int count, float seconds, float[] numbers) {
 
     /**
      * Substeps from one detection to the next, in which no two circles from cells that are not neighbours may meet. Cells are
-     * {@code reach} of a radius wider than a circle needs on each side; two circles that part as fast as any, one of which falls
-     * while the other rests, use that up. Gravity alone should not make neighbours of many.
+     * {@code reach} of a radius wider than a circle needs on each side; two circles at most at the highest speed, one of which
+     * falls while the other rests, use that up. Gravity alone should not make neighbours of many.
      *
-     * @param apart what two circles part by at most, radii a second
+     * @param fastest highest speed, radii a second
      * @param reach how far the reach of a circle goes beyond its radius, radii
      */
-    public int perDetection(WorldConfig config, Population population, float apart, float reach) {
+    public int perDetection(WorldConfig config, Population population, float fastest, float reach) {
         float gravity = gravity(config) / population.minRadius();
         int substeps = count;
         while (substeps > 1) {
             float time = substeps * seconds;
             float fall = 0.5f * gravity * time * time;
-            float most = (apart + gravity * (config.timeStep() - time)) * time + fall;
+            float most = (2 * fastest + gravity * (config.timeStep() - time)) * time + fall;
             if (most <= 2 * reach && fall <= Tuning.FALL) {
                 break;
             }

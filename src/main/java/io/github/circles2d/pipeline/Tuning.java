@@ -245,11 +245,11 @@ public final class Tuning {
 
     /**
      * Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 600; 16 to 2,000: they take 36 and 9
-     * bytes each, and every device has 32 KiB.
+     * bytes each, together less than the 32 KiB that every device has.
      */
-    public static final int TILE_CIRCLES = 550;
+    public static final int TILE_CIRCLES = 540;
 
-    public static final int TILE_CONTACTS = 1440;
+    public static final int TILE_CONTACTS = 1400;
 
     /** Circles up to which one work-group does most of a detection and its substeps, on a GPU. 0 (never) to 10^4. */
     public static final int ALONE_CIRCLES = 1280;
