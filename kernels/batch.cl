@@ -20,7 +20,8 @@ static int c2d_tile(int2 cell, int8 tiling) {
     return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
 }
 
-// The contacts of a tile, and its circles, are counted in so many parts, by rows of cells: what is of one row lies together in memory.
+// The contacts of a tile, and its circles, are counted in so many parts, by rows of cells: what is of one row lies together in
+// memory.
 #define C2D_PARTS 8
 static int c2d_batch_part(int tile, int row) { return C2D_PARTS * tile + row % C2D_PARTS; }
 
@@ -28,8 +29,8 @@ static int c2d_batch_part(int tile, int row) { return C2D_PARTS * tile + row % C
 #define C2D_TURN_OF C2D_AT(int, from)
 #define C2D_MASK C2D_AT(ulong, kicked)
 
-// As which of its part each of four neighbours is counted; `part`: their parts, -1 for none. Those of one part are counted in one go, for counting into one place takes
-// turns.
+// As which of its part each of four neighbours is counted; `part`: their parts, -1 for none. Those of one part are counted in one
+// go, for counting into one place takes turns.
 static int4 c2d_batch_turns(int4 part, __global int *tileStart) {
     const int z = part.w == part.z ? 2 : 1;
     const int y = part.z == part.y ? 1 + z : 1;

@@ -10,10 +10,9 @@
 // `other[listStart[place]]` up to `other[listStart[place + 1]]`, the places of the other circles, ascending; with each goes
 // `memory`, the impulse to come and the last one (-1 after a bounce).
 
-// All of that is in one buffer, for a launch takes longer with every buffer that it gets: a kernel gets the `heap`, the status, and a
-// c2d_world, which says where the parts of the heap begin, in units of 32 bytes. Twin: opencl.Heap. `Before`: those of the
-// detection before. What a part holds while
-// it is not needed for that, each file says where it names it with C2D_AT.
+// All of that is in one buffer, for a launch takes longer with every buffer that it gets: a kernel gets the `heap`, the status, and
+// a c2d_world, which says where the parts of the heap begin, in units of 32 bytes. Twin: opencl.Heap. `Before`: those of the
+// detection before. What a part holds while it is not needed for that, each file says where it names it with C2D_AT.
 typedef struct {
     uint body;
     uint bodyBefore;

@@ -1,5 +1,5 @@
-// The rule of a wall: that of a contact, visit.cl, with something that does not move; and the motion of a substep, which goes no farther than the walls.
-// Twin of host.Integrate.
+// The rule of a wall: that of a contact, visit.cl, with something that does not move; and the motion of a substep, which goes no
+// farther than the walls. Twin of host.Integrate.
 
 // One coordinate of a circle. A struct, not an array: arrays with an index go to slow memory.
 typedef struct {

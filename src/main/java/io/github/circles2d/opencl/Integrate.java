@@ -12,8 +12,9 @@ final class Integrate {
 
     void bind(SmallWorld world) {
         State state = world.state();
-        integrate.arguments(world.known()).range(state.circles, world.group());
-        publish.arguments(world.known(), state.circle, state.velocities, new Kernel.Local(4))
+        Object[] known = world.known();
+        integrate.arguments(known).range(state.circles, world.group());
+        publish.arguments(known, state.circle, state.velocities, new Kernel.Local(4))
                 .range(state.circles, world.group());
     }
 

@@ -14,8 +14,9 @@ final class Match {
     void bind(SmallWorld world) {
         // by the grid, on one level, find has them in order
         orders = world.config().strategy().pairwise() || world.levels().count > 1;
-        order.arguments(world.known()).range(world.contacts(), world.group());
-        match.arguments(world.known()).range(world.contacts(), world.group());
+        Object[] known = world.known();
+        order.arguments(known).range(world.contacts(), world.group());
+        match.arguments(known).range(world.contacts(), world.group());
     }
 
     void run() {

@@ -128,26 +128,32 @@ public final class OpenClDevice implements Device {
 
     /** Work-items of a group: those a world asks for, or what suits the device. */
     int group(WorldConfig config) {
-        int suits = isGpu() ? Tuning.GPU_WORK_GROUP : Tuning.CPU_WORK_GROUP;
-        return config.workGroup() > 0 ? config.workGroup() : suits;
+        return group(config, Tuning.GPU_WORK_GROUP, Tuning.CPU_WORK_GROUP);
     }
 
     /** The same for a group that does a tile. */
     int tileGroup(WorldConfig config) {
-        int suits = isGpu() ? Tuning.GPU_TILE_GROUP : Tuning.CPU_TILE_GROUP;
-        return config.workGroup() > 0 ? config.workGroup() : suits;
+        return group(config, Tuning.GPU_TILE_GROUP, Tuning.CPU_TILE_GROUP);
     }
 
     /** The same for a group that does a tile of the first tiling. */
     int firstTileGroup(WorldConfig config) {
-        int suits = isGpu() ? Tuning.GPU_FIRST_TILE_GROUP : Tuning.CPU_TILE_GROUP;
-        return config.workGroup() > 0 ? config.workGroup() : suits;
+        return group(config, Tuning.GPU_FIRST_TILE_GROUP, Tuning.CPU_TILE_GROUP);
     }
 
     /** The same for a launch of one group. */
     int oneGroup(WorldConfig config) {
-        int suits = isGpu() ? Tuning.GPU_ONE_GROUP : Tuning.CPU_ONE_GROUP;
+        return group(config, Tuning.GPU_ONE_GROUP, Tuning.CPU_ONE_GROUP);
+    }
+
+    private int group(WorldConfig config, int onGpu, int onCpu) {
+        int suits = isGpu() ? onGpu : onCpu;
         return config.workGroup() > 0 ? config.workGroup() : suits;
+    }
+
+    /** Whether a world is done as on a GPU: there, and where a size of groups is asked for, so that it can be run without one. */
+    boolean asOnGpu(WorldConfig config) {
+        return isGpu() || config.workGroup() > 0;
     }
 
     boolean isGpu() {

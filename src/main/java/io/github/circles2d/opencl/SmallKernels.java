@@ -117,11 +117,10 @@ final class SmallKernels {
         return Program.build(session, options, defines(session, config, false, false), sources);
     }
 
-    /** A size of groups that is asked for has the kernels be as a GPU has them, so that they can be run where there is none. */
     private static Map<String, Integer> defines(Session session, WorldConfig config, boolean wide, boolean pairwise) {
         return Map.of(
                 "C2D_GPU",
-                session.device.isGpu() || config.workGroup() > 0 ? 1 : 0,
+                session.device.asOnGpu(config) ? 1 : 0,
                 "C2D_WIDE",
                 wide ? 1 : 0,
                 "C2D_PAIRWISE",

@@ -52,8 +52,7 @@ record SmallWorld(
      * is asked for has it done all the same.
      */
     boolean alone() {
-        return circles() <= Math.min(config.smallWorld(), Tuning.ALONE_CIRCLES)
-                && (state.onGpu() || config.workGroup() > 0);
+        return circles() <= Math.min(config.smallWorld(), Tuning.ALONE_CIRCLES) && device.asOnGpu(config);
     }
 
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */

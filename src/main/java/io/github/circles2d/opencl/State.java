@@ -94,10 +94,6 @@ final class State {
         return done.set(Integer.toUnsignedLong(said.getInt(0)), said.getInt(4) != 0, updates);
     }
 
-    boolean onGpu() {
-        return session.device.isGpu();
-    }
-
     /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */
     float fastest() {
         return fastest;
