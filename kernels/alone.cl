@@ -29,16 +29,15 @@ __kernel void c2d_alone_grid(C2D_WORLD, int allCells, int parts, __local int *su
     }
 }
 
-// batch.cl. `others`: as for c2d_batch_colour; `tiles`: the tilings.
-__kernel void c2d_alone_batch(C2D_WORLD, int others, int tiles, __local int *sums) {
+// batch.cl. `tiles`: the tilings.
+__kernel void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
-    const int8 all = C2D_LEVEL_TABLE[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
     for (int q = item; 4 * q < contacts; q += items) {
-        c2d_batch_count_at(q, contacts, true, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER, world.capacity,
-                           C2D_BATCH, C2D_TILE_START);
+        c2d_batch_count_at(q, contacts, true, C2D_BODY, C2D_LEVEL_TABLE, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER,
+                           world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TINT);
     }
     for (int p = item; p < (stalled ? 0 : world.circles); p += items) {
         C2D_BEYOND[p] = 0;
@@ -48,10 +47,12 @@ __kernel void c2d_alone_batch(C2D_WORLD, int others, int tiles, __local int *sum
     c2d_scan_group(C2D_TILE_START, stalled ? 0 : C2D_PARTS * tiles + 1, sums);
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int k = item; k < contacts; k += items) {
-        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE);
+        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE, C2D_TINT);
     }
-    c2d_batch_colour_levels(C2D_BATCH_COLOUR_HERE, 0, all.C2D_LEVELS, stalled);
     barrier(CLK_GLOBAL_MEM_FENCE);
+    for (int tile = 0; tile < tiles; tile++) {
+        c2d_batch_colour_tile(tile, tile > 0, stalled, C2D_BATCH_COLOUR_HERE, sums);
+    }
     for (int tile = 0; tile < tiles; tile++) {
         c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_SOLVED, C2D_TILE_START,
                              C2D_TILE_COLOURS, stalled, false, C2D_TURN_OF, sums);

@@ -4,7 +4,7 @@
 // Here contacts, and circles, go to their tiles; batch_colour.cl and batch_order.cl do the rest.
 //
 // `batch` has three parts of `capacity` ints. By contact: its circle `owner`, in whose list it is; which of its part of its tile
-// it was counted as; that part. Then, in the order of solving: `index`, the contact; and, from the first contact of a tile on,
+// it was counted as, and after that its class; that part. Then, in the order of solving: `index`, the contact; and, from the first contact of a tile on,
 // where its colours begin. `tileStart`: the first contact of each part of each tile.
 
 #define C2D_SIDE s1
@@ -54,15 +54,28 @@ static int4 c2d_batch_turns(int4 part, __global int *tileStart) {
     return turn;
 }
 
-// The part of contact k, of those of its tile; or, where all tiles of a tiling are done as one, of its tiling.
-static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const float8 *body, int8 all,
+// The class of the bucket of a circle: classes are levels, and of each level columns modulo 3 and rows modulo 2, 3 at wider levels.
+// Folded levels leave these as they are.
+static int c2d_batch_class(int4 cell, __global const int8 *levels) {
+    const int shift = levels[1 + cell.z].C2D_SHIFT;
+    const int x = (cell.x >> shift) % 3;
+    const int y = (cell.y >> shift) % (cell.z == 0 ? 2 : 3);
+    return (cell.z == 0 ? 0 : 9 * cell.z - 3) + 3 * y + x;
+}
+
+static int c2d_batch_classes(int levelCount) { return 9 * levelCount - 3; }
+
+// The part of contact k, of those of its tile; or, where all tiles of a tiling are done as one, of its tiling. Its tint is, until it is
+// coloured, its class.
+static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const float8 *body, __global const int8 *levels,
                              __global const int8 *tilings, __global const float *rule, __global const int *other,
-                             __global const int *batch) {
+                             __global const int *batch, __global ushort *tint) {
     if (k >= contacts) {
         return -1;
     }
-    const int2 a = c2d_finest_cell(body[batch[k]].s01, all, rule);
-    const int2 b = c2d_finest_cell(body[other[k]].s01, all, rule);
+    const int4 cell = c2d_cell(body[batch[k]], levels, rule);
+    const int2 a = cell.xy;
+    const int2 b = c2d_finest_cell(body[other[k]].s01, levels[0], rule);
     // the last tiling holds whatever those before do not
     int tiling = 0;
     int tile = c2d_tile(a, tilings[0]);
@@ -70,17 +83,19 @@ static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const flo
         tiling++;
         tile = c2d_tile(a, tilings[tiling]);
     }
+    tint[k] = (ushort)c2d_batch_class(cell, levels);
     return c2d_batch_part(asOne ? tiling : tile, a.y);
 }
 
 // Contacts 4 q to 4 q + 3; there is always room for a multiple of four.
-static void c2d_batch_count_at(int q, int contacts, bool asOne, __global const float8 *body, int8 all,
+static void c2d_batch_count_at(int q, int contacts, bool asOne, __global const float8 *body, __global const int8 *levels,
                                __global const int8 *tilings, __global const float *rule, __global const int *other,
-                               int capacity, __global int *batch, __global int *tileStart) {
-    const int4 part = (int4)(c2d_batch_part_of(4 * q, contacts, asOne, body, all, tilings, rule, other, batch),
-                             c2d_batch_part_of(4 * q + 1, contacts, asOne, body, all, tilings, rule, other, batch),
-                             c2d_batch_part_of(4 * q + 2, contacts, asOne, body, all, tilings, rule, other, batch),
-                             c2d_batch_part_of(4 * q + 3, contacts, asOne, body, all, tilings, rule, other, batch));
+                               int capacity, __global int *batch, __global int *tileStart, __global ushort *tint) {
+    const int4 part =
+        (int4)(c2d_batch_part_of(4 * q, contacts, asOne, body, levels, tilings, rule, other, batch, tint),
+               c2d_batch_part_of(4 * q + 1, contacts, asOne, body, levels, tilings, rule, other, batch, tint),
+               c2d_batch_part_of(4 * q + 2, contacts, asOne, body, levels, tilings, rule, other, batch, tint),
+               c2d_batch_part_of(4 * q + 3, contacts, asOne, body, levels, tilings, rule, other, batch, tint));
     ((__global int4 *)(batch + capacity))[q] = c2d_batch_turns(part, tileStart);
     ((__global int4 *)(batch + 2 * capacity))[q] = part;
 }
@@ -101,8 +116,8 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
     for (int q = (int)get_global_id(0); 4 * q < contacts; q += (int)get_global_size(0)) {
-        c2d_batch_count_at(q, contacts, false, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER, world.capacity,
-                           C2D_BATCH, C2D_TILE_START);
+        c2d_batch_count_at(q, contacts, false, C2D_BODY, C2D_LEVEL_TABLE, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER,
+                           world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TINT);
     }
     const int circles = stalled ? 0 : world.circles;
     for (int q = (int)get_global_id(0); 4 * q < circles; q += (int)get_global_size(0)) {
@@ -115,9 +130,10 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     }
 }
 
-static void c2d_batch_fill_at(int k, int capacity, __global const int *batch, __global const int *tileStart,
-                              __global int *byTile) {
+static void c2d_batch_fill_at(int k, int capacity, __global int *batch, __global const int *tileStart,
+                              __global int *byTile, __global const ushort *tint) {
     byTile[tileStart[batch[2 * capacity + k]] + batch[capacity + k]] = k;
+    batch[capacity + k] = tint[k];
 }
 
 __kernel void c2d_batch_fill(C2D_WORLD, int tiles) {
@@ -125,7 +141,7 @@ __kernel void c2d_batch_fill(C2D_WORLD, int tiles) {
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE);
+        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE, C2D_TINT);
     }
     for (int p = (int)get_global_id(0); p < (stalled ? 0 : world.circles); p += (int)get_global_size(0)) {
         const int part =

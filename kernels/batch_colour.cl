@@ -1,47 +1,81 @@
 // Of stage batch: gives each contact its colour within its tile. Twin of host.Batch.
 //
-// Contacts are coloured in the order of their buckets: of one level after the other, and of each those whose column modulo 3
-// and row modulo 2 (3 at wider levels) agree at a time, for these share no circle; each bucket's in the order of its lists.
-// A contact gets the lowest colour that neither of its circles has yet. Neighbours in the order are neighbours in the pile,
-// which carries loads farther in a pass than an order by chance does.
+// The contacts of a tile are coloured class by class, those of a bucket in the order of its lists: buckets of one class, batch.cl, share
+// no circle. A contact gets the lowest colour that neither of its circles has yet in the tile. Neighbours in the order
+// are neighbours in the pile, which carries loads farther in a pass than an order by chance does.
 
-// Colours of which a circle has a mask: half of them for the first tiling, half for the others. Whoever finds none of them
-// free gets one beyond all that its circles have beyond those, `beyond`.
+// Colours of which a circle has a mask. Whoever finds none of them free gets one beyond all that its circles have beyond
+// those, `beyond`.
 #define C2D_COLOURS 64
-#define C2D_FIRST_COLOURS 0xFFFFFFFFul
 // What `tint` can hold.
 #define C2D_COLOUR_MOST 65535
 
 #define C2D_BATCH_COLOUR                                                                                               \
-    __global const int *listStart, __global const int *other, __global const int *bucketStart,                           \
-        __global const int8 *levels, __global uint *status, int capacity, __global int *batch,                           \
-        __global ulong *mask, __global int *beyond, __global ushort *tint, int others
+    __global const int *listStart, __global const int *other, int contacts, int levelCount, __global uint *status,       \
+        int capacity, __global const int *batch, __global const int *byTile, __global const int *tileStart,              \
+        __global int2 *heads, __global ulong *mask, __global int *beyond, __global ushort *tint
 #define C2D_BATCH_COLOUR_ALL                                                                                           \
-    listStart, other, bucketStart, levels, status, capacity, batch, mask, beyond, tint, others
+    listStart, other, contacts, levelCount, status, capacity, batch, byTile, tileStart, heads, mask, beyond, tint
 #define C2D_BATCH_COLOUR_HERE                                                                                          \
-    C2D_LIST_START, C2D_OTHER, C2D_BUCKET_START, C2D_LEVEL_TABLE, status, world.capacity, C2D_BATCH, C2D_MASK, C2D_BEYOND,  \
-        C2D_TINT, others
+    C2D_LIST_START, C2D_OTHER, C2D_LIST_START[world.circles], C2D_LEVEL_TABLE[0].C2D_LEVELS, status, world.capacity,       \
+        C2D_BATCH, C2D_BY_TILE, C2D_TILE_START, C2D_SOLVED, C2D_MASK, C2D_BEYOND, C2D_TINT
 #define C2D_BEYOND C2D_AT(int, from)
 
-// Contacts that are read ahead.
-#define C2D_AHEAD 4
+static bool c2d_batch_holds(int tile, int k, int capacity, __global const int *batch) {
+    return batch[2 * capacity + k] / C2D_PARTS == tile;
+}
 
-static void c2d_batch_colour_list(int i, int k, int end, C2D_BATCH_COLOUR) {
-    ulong own = mask[i];
+// Appends to `heads`, from the first contact of the tile on, in any order, the classes and first contacts of its runs: those that
+// follow each other in the order of lists and are of one class are of one bucket, or of several that share no circle. `clears` what
+// circles know of colours; for the first tiling that is done. By one work-group.
+static void c2d_batch_heads(int tile, bool clears, C2D_BATCH_COLOUR, __local int *count) {
+    __global const int *class = batch + capacity;
+    const int first = tileStart[C2D_PARTS * tile];
+    const int end = tileStart[C2D_PARTS * (tile + 1)];
+    for (int e = first + (int)get_local_id(0); e < end; e += (int)get_local_size(0)) {
+        const int k = byTile[e];
+        if (clears) {
+            const int i = batch[k];
+            const int j = other[k];
+            mask[i] = 0ul;
+            mask[j] = 0ul;
+            beyond[i] = 0;
+            beyond[j] = 0;
+        }
+        const int own = class[k];
+        int before = k - 1;
+        while (before >= 0 && class[before] == own && !c2d_batch_holds(tile, before, capacity, batch)) {
+            before--;
+        }
+        if (before < 0 || class[before] != own) {
+            heads[first + atomic_inc(count)] = (int2)(own, k);
+        }
+    }
+}
+
+// Contacts that are read ahead, on a GPU; processors are quicker without.
+#define C2D_AHEAD (C2D_GPU ? 4 : 1)
+
+// Those of a tile in the list of circle i, from k on.
+static void c2d_batch_colour_list(int i, int k, int end, int tile, C2D_BATCH_COLOUR) {
+    ulong own = 0ul;
+    bool used = false;
     for (; k < end; k += C2D_AHEAD) {
         // the circles of a list are different ones, so that their masks can be read ahead
         int j[C2D_AHEAD];
+        bool ours[C2D_AHEAD];
         ulong there[C2D_AHEAD];
-        ulong usable[C2D_AHEAD];
         for (int c = 0; c < C2D_AHEAD; c++) {
             const int at = min(k + c, end - 1);
             j[c] = other[at];
-            there[c] = mask[j[c]];
-            usable[c] = batch[2 * capacity + at] < others ? C2D_FIRST_COLOURS : ~C2D_FIRST_COLOURS;
+            ours[c] = k + c < end && c2d_batch_holds(tile, at, capacity, batch);
+            there[c] = ours[c] ? mask[j[c]] : 0ul;
         }
         for (int c = 0; c < C2D_AHEAD; c++) {
-            if (k + c < end) {
-                const ulong free = ~(own | there[c]) & usable[c];
+            if (ours[c]) {
+                own = used ? own : mask[i];
+                used = true;
+                const ulong free = ~(own | there[c]);
                 const ulong lowest = free & (0ul - free);
                 int colour = C2D_COLOURS - 1 - (int)clz(lowest);
                 if (free != 0ul) {
@@ -60,52 +94,48 @@ static void c2d_batch_colour_list(int i, int k, int end, C2D_BATCH_COLOUR) {
             }
         }
     }
-    mask[i] = own;
-}
-
-// Bucket `item` of one colour of a level, of those `rows` rows apart whose column and row leave `x` and `y`. `across`: how many
-// there are in a row.
-static void c2d_batch_colour_bucket(int item, int8 level, int x, int y, int rows, int across, C2D_BATCH_COLOUR) {
-    const int bucket = level.C2D_BASE + (y + rows * (item / across)) * level.C2D_WIDTH + x + 3 * (item % across);
-    const int last = bucketStart[bucket + 1];
-    int i = bucketStart[bucket];
-    int start = listStart[i];
-    for (; start < listStart[last]; i++) {
-        const int end = listStart[i + 1];
-        if (start < end) {
-            c2d_batch_colour_list(i, start, end, C2D_BATCH_COLOUR_ALL);
-        }
-        start = end;
+    if (used) {
+        mask[i] = own;
     }
 }
 
-// One work-item a bucket. `others`: first part of the tiles of the second tiling.
-__kernel void c2d_batch_colour(C2D_WORLD, int others, int number, int x, int y, int rows, int across, int buckets) {
-    const int item = (int)get_global_id(0);
-    if (item < buckets && status[C2D_STALLED] == 0u) {
-        c2d_batch_colour_bucket(item, C2D_LEVEL_TABLE[1 + number], x, y, rows, across, C2D_BATCH_COLOUR_HERE);
+// Those of a tile in a run, from contact k on.
+static void c2d_batch_colour_run(int k, int tile, C2D_BATCH_COLOUR) {
+    __global const int *class = batch + capacity;
+    const int own = class[k];
+    for (int i = batch[k]; k < contacts && class[k] == own; i++) {
+        const int next = listStart[i + 1];
+        c2d_batch_colour_list(i, k, next, tile, C2D_BATCH_COLOUR_ALL);
+        k = next;
     }
 }
 
-// The levels from `firstLevel` on, all of their colours, by one work-group: where buckets are few, launches would cost more
-// than the work.
-static void c2d_batch_colour_levels(C2D_BATCH_COLOUR, int firstLevel, int levelCount, bool stalled) {
-    for (int number = firstLevel; number < levelCount; number++) {
-        const int8 level = levels[1 + number];
-        const int rows = number == 0 ? 2 : 3;
-        for (int colour = 0; colour < 3 * rows; colour++) {
-            const int x = colour % 3;
-            const int y = colour / 3;
-            const int across = (level.C2D_WIDTH - x + 2) / 3;
-            const int buckets = stalled ? 0 : across * ((level.C2D_HEIGHT - y + rows - 1) / rows);
-            for (int item = (int)get_local_id(0); item < buckets; item += (int)get_local_size(0)) {
-                c2d_batch_colour_bucket(item, level, x, y, rows, across, C2D_BATCH_COLOUR_ALL);
+// By one work-group, a class after the other.
+static void c2d_batch_colour_tile(int tile, bool clears, bool stalled, C2D_BATCH_COLOUR, __local int *count) {
+    const int first = tileStart[C2D_PARTS * tile];
+    const bool any = !stalled && first < tileStart[C2D_PARTS * (tile + 1)];
+    if (get_local_id(0) == 0) {
+        *count = 0;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (any) {
+        c2d_batch_heads(tile, clears, C2D_BATCH_COLOUR_ALL, count);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    const int runs = *count;
+    const int classes = any ? c2d_batch_classes(levelCount) : 0;
+    for (int now = 0; now < classes; now++) {
+        for (int h = (int)get_local_id(0); h < runs; h += (int)get_local_size(0)) {
+            const int2 head = heads[first + h];
+            if (head.x == now) {
+                c2d_batch_colour_run(head.y, tile, C2D_BATCH_COLOUR_ALL);
             }
-            barrier(CLK_GLOBAL_MEM_FENCE);
         }
+        barrier(CLK_GLOBAL_MEM_FENCE);
     }
 }
 
-__kernel void c2d_batch_colour_few(C2D_WORLD, int others, int firstLevel, int levelCount) {
-    c2d_batch_colour_levels(C2D_BATCH_COLOUR_HERE, firstLevel, levelCount, status[C2D_STALLED] != 0u);
+// A tiling, one work-group a tile.
+__kernel void c2d_batch_colour(C2D_WORLD, int firstTile, __local int *count) {
+    c2d_batch_colour_tile(firstTile + (int)get_group_id(0), firstTile > 0, status[C2D_STALLED] != 0u, C2D_BATCH_COLOUR_HERE, count);
 }

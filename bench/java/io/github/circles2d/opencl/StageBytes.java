@@ -98,12 +98,10 @@ final class StageBytes {
             case "c2d_match" -> (4 + 4) * n + (8 + 4 + 4 + 8 + 8 + 4) * k;
             // body, turn of the circles; batch, other; turn and part; tileStart read and written
             case "c2d_batch_count" -> (32 + 4) * n + (4 + 4 + 8) * k + 8 * (parts + members);
-            // masks, turns read and written, body, members; turn and part, byTile; tileStart
-            case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4) * k + 4 * (parts + members);
-            // bucketStart, listStart, masks read and written; other, part, tint; shared out among the launches
-            case "c2d_batch_colour" -> colouring() / colourings;
-            // the same, where no other kernel has a share
-            case "c2d_batch_colour_few" -> colourings > 0 ? 0 : colouring();
+            // turns, body, members; turn and part, byTile; tileStart
+            case "c2d_batch_fill" -> (4 + 32 + 4) * n + (8 + 4) * k + 4 * (parts + members);
+            // byTile, owner, other, part; tint; masks cleared, read and written; shared out among the tilings
+            case "c2d_batch_colour" -> ((4 + 4 + 4 + 4 + 2) * k + 24 * n) / colourings;
             // byTile, tint, batch, other; pairs, index; tileStart, tileColours
             case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4) * k + 4 * parts + 4 * tiles;
             // body read and written, kicked
@@ -115,10 +113,6 @@ final class StageBytes {
             case "c2d_publish" -> (64 + 8 + 4 + 8 + 8) * n;
             default -> 0;
         };
-    }
-
-    private long colouring() {
-        return 4 * buckets + (4 + 16) * circles + (4 + 4 + 2) * contacts;
     }
 
     private double scanned(boolean inOneLaunch) {

@@ -7,39 +7,28 @@ import java.util.Arrays;
 
 /** Twin of {@code kernels/batch.cl}: puts the contacts in the order in which they are solved. */
 final class Batch {
-    /** Of the colours of which a circle has a mask, those for the first tiling: {@code C2D_FIRST_COLOURS}. */
-    private static final long FIRST_COLOURS = 0xFFFFFFFFL;
-
     private final SmallState state;
     private final SmallContacts contacts;
     private final Workers workers;
     private final Workers.Work sort = this::sort;
-    private final Workers.Work colour = this::colour;
-    private final Workers.Work sortTiles = this::order;
+    private final Workers.Work forTile = this::tiles;
     private Levels levels;
     /** Whose tiles are shared out. */
     private int tiling;
 
     private Tiles tiles;
-    /** Of the pass: where the level begins in the table, what column and row of a bucket leave, how many rows are apart. */
-    private int at;
-
-    private int x;
-    private int y;
-    private int rows;
-
-    /** By circle: the colours of its contacts, and how many beyond those of the mask. */
+    /** By circle: the colours of its contacts in its tile, and how many beyond those of the mask. */
     private long[] mask = {};
 
     private int[] beyond = {};
-    /** By contact: its circle in whose list it is, its tile, its colour. */
+    /** By contact: its circle in whose list it is, its tile, its class. */
     int[] owner = {};
 
     private int[] tileOf = {};
-    private int[] tint = {};
+    private short[] classOf = {};
     /** By tile: the colour and then the contact. */
     private long[] keys = {};
-    /** In the order of solving: the contact. */
+    /** By tile, and then in the order of solving: the contact. */
     int[] order = {};
 
     private int[] tileStart = {0};
@@ -53,10 +42,11 @@ final class Batch {
     void run() {
         ready(contacts.listStart[state.circles]);
         workers.run(state.circles, sort);
-        colours();
         byTile(contacts.listStart[state.circles]);
         for (int which = 0; which < tiles.tilings; which++) {
-            forTiles(which, sortTiles);
+            Arrays.fill(mask, 0, state.circles, 0);
+            Arrays.fill(beyond, 0, state.circles, 0);
+            forTiles(which, forTile);
         }
     }
 
@@ -71,13 +61,11 @@ final class Batch {
             mask = new long[state.id.length];
             beyond = new int[state.id.length];
         }
-        Arrays.fill(mask, 0, state.circles, 0);
-        Arrays.fill(beyond, 0, state.circles, 0);
         if (order.length < count) {
             int room = contacts.other.length;
             owner = new int[room];
             tileOf = new int[room];
-            tint = new int[room];
+            classOf = new short[room];
             keys = new long[room];
             order = new int[room];
         }
@@ -86,11 +74,23 @@ final class Batch {
     /** {@code c2d_batch_count}, what it finds out of each contact. */
     private void sort(int part, int from, int end) {
         for (int i = from; i < end; i++) {
+            short own = contacts.listStart[i] < contacts.listStart[i + 1] ? classOf(i) : 0;
             for (int k = contacts.listStart[i]; k < contacts.listStart[i + 1]; k++) {
                 owner[k] = i;
                 tileOf[k] = tile(i, contacts.other[k]);
+                classOf[k] = own;
             }
         }
+    }
+
+    /** {@code c2d_batch_class}, of the bucket of a circle. */
+    private short classOf(int i) {
+        int number = levels.levelOf(state.body[SmallState.BODY * i + SmallState.RADIUS]);
+        int at = Levels.at(number);
+        int shift = levels.table[at + Levels.SHIFT];
+        int x = (state.column(i) >> shift) % 3;
+        int y = (state.row(i) >> shift) % Levels.rows(number);
+        return (short) ((number == 0 ? 0 : 9 * number - 3) + 3 * y + x);
     }
 
     private int tile(int i, int j) {
@@ -103,69 +103,6 @@ final class Batch {
         return tile;
     }
 
-    /** {@code c2d_batch_colour}: of each level a colour of buckets at a time, which share no circle. */
-    private void colours() {
-        for (int number = 0; number < levels.count; number++) {
-            at = Levels.at(number);
-            rows = Levels.rows(number);
-            int circles = state.bucketStart[firstBucket() + buckets()] - state.bucketStart[firstBucket()];
-            for (int which = 0; which < 3 * rows; which++) {
-                x = which % 3;
-                y = which / 3;
-                workers.run(circles, colour);
-            }
-        }
-    }
-
-    private int firstBucket() {
-        return levels.table[at + Levels.BASE];
-    }
-
-    private int buckets() {
-        return levels.table[at + Levels.WIDTH] * levels.table[at + Levels.HEIGHT];
-    }
-
-    /** The buckets of the colour that begin with circles {@code from .. end - 1} of the level. */
-    private void colour(int part, int from, int end) {
-        int width = levels.table[at + Levels.WIDTH];
-        int first = firstBucket();
-        int low = search(state.bucketStart, first, first + buckets(), from) - first;
-        int high = search(state.bucketStart, first, first + buckets(), end) - first;
-        for (int row = low / width; row * width < high; row++) {
-            if (row % rows != y) {
-                continue;
-            }
-            int column = Math.max(0, low - row * width);
-            column += Math.floorMod(x - column, 3);
-            for (; column < Math.min(width, high - row * width); column += 3) {
-                int bucket = first + row * width + column;
-                for (int i = state.bucketStart[bucket]; i < state.bucketStart[bucket + 1]; i++) {
-                    colour(i);
-                }
-            }
-        }
-    }
-
-    private void colour(int i) {
-        for (int k = contacts.listStart[i]; k < contacts.listStart[i + 1]; k++) {
-            int j = contacts.other[k];
-            long usable = tileOf[k] < tiles.first(1) ? FIRST_COLOURS : ~FIRST_COLOURS;
-            long lowest = Long.lowestOneBit(~(mask[i] | mask[j]) & usable);
-            tint[k] = Long.numberOfTrailingZeros(lowest);
-            mask[i] |= lowest;
-            mask[j] |= lowest;
-            if (lowest == 0) {
-                int next = Math.max(beyond[i], beyond[j]) + 1;
-                beyond[i] = next;
-                beyond[j] = next;
-                tint[k] += next - 1;
-                if (tint[k] > Status.MOST_COLOURS) {
-                    throw Status.tooDense();
-                }
-            }
-        }
-    }
-
     /** {@code c2d_batch_fill}. */
     private void byTile(int count) {
         for (int k = 0; k < count; k++) {
@@ -175,19 +112,53 @@ final class Batch {
             tileStart[tile] += tileStart[tile - 1];
         }
         for (int k = count - 1; k >= 0; k--) {
-            keys[--tileStart[tileOf[k]]] = (long) tint[k] << 31 | k;
+            order[--tileStart[tileOf[k]]] = k;
         }
     }
 
-    /** {@code c2d_batch_order}: the tiles of a tiling that begin with contacts {@code from .. end - 1} of it. */
-    private void order(int part, int from, int end) {
+    /** The tiles of a tiling that begin with contacts {@code from .. end - 1} of it. */
+    private void tiles(int part, int from, int end) {
         int last = tileFrom(end);
         for (int tile = tileFrom(from); tile < last; tile++) {
+            tint(tileStart[tile], tileStart[tile + 1]);
             Arrays.sort(keys, tileStart[tile], tileStart[tile + 1]);
             for (int e = tileStart[tile]; e < tileStart[tile + 1]; e++) {
                 order[e] = (int) keys[e] & Integer.MAX_VALUE;
             }
         }
+    }
+
+    /** {@code c2d_batch_colour}, of the tile that has contacts {@code from .. end - 1}: a class after the other. */
+    private void tint(int from, int end) {
+        int next = 0;
+        for (int now = 0; now < Integer.MAX_VALUE; now = next) {
+            next = Integer.MAX_VALUE;
+            for (int e = from; e < end; e++) {
+                int k = order[e];
+                if (classOf[k] == now) {
+                    keys[e] = (long) colour(owner[k], contacts.other[k]) << 31 | k;
+                } else if (classOf[k] > now) {
+                    next = Math.min(next, classOf[k]);
+                }
+            }
+        }
+    }
+
+    private int colour(int i, int j) {
+        long lowest = Long.lowestOneBit(~(mask[i] | mask[j]));
+        mask[i] |= lowest;
+        mask[j] |= lowest;
+        int colour = Long.numberOfTrailingZeros(lowest);
+        if (lowest == 0) {
+            int next = Math.max(beyond[i], beyond[j]) + 1;
+            beyond[i] = next;
+            beyond[j] = next;
+            colour += next - 1;
+            if (colour > Status.MOST_COLOURS) {
+                throw Status.tooDense();
+            }
+        }
+        return colour;
     }
 
     /** Shares out the tiles of a tiling by their contacts. */

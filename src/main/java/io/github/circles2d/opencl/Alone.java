@@ -20,7 +20,7 @@ final class Alone {
         grid.range(1, world.oneGroup())
                 .arguments(known, world.levels().cells, Tiles.PARTS * tilings, new Kernel.Local(4L * grid.group()));
         batch.range(1, world.oneGroup())
-                .arguments(known, Tiles.PARTS, tilings, new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)));
+                .arguments(known, tilings, new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)));
         solve.range(1, world.oneGroup()).arguments(known, tilings);
     }
 

@@ -88,12 +88,6 @@ public final class Tuning {
     /** Circles up to which launches are saved at the price of larger kernels. 0 (never) to 10^6. */
     public static final int FEW_CIRCLES = 200_000;
 
-    /** Buckets of one colour up to which the levels from there on are coloured by one work-group. 0 (never) to 4,096. */
-    public static final int NARROW = 1024;
-
-    /** Work-items of a group that colours: buckets differ, so that small groups share out better. 32 to 256. */
-    public static final int COLOUR_WORK_GROUP = 64;
-
     /** Work-items of a group that does a tile, about as many as it has contacts of one colour, on a GPU. 32 to 256. */
     public static final int GPU_TILE_GROUP = 64;
 

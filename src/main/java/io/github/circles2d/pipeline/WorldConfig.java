@@ -11,7 +11,7 @@ import io.github.circles2d.Solver;
  * @param pairsPerSlice most pairs that share one buffer of the triangle or of a table, 0 for what the device allows
  * @param smallWorld largest world, in circles, that is coloured and resolved by one work-group; of small steps, it
  *     is {@link Tuning#ALONE_CIRCLES} at most, and 0 says besides that no world is of few circles, {@link
- *     Tuning#FEW_CIRCLES}, and that no level is coloured by one work-group, {@link Tuning#NARROW}
+ *     Tuning#FEW_CIRCLES}
  * @param substeps substeps of a step, 0 to choose
  */
 public record WorldConfig(
