@@ -3,7 +3,7 @@
 // here, for their contacts share no circle. On the host it is what host.Grid, host.Batch and host.Solve do.
 
 // grid.cl. `parts`: those that contacts are counted in.
-__kernel void c2d_alone_grid(C2D_WORLD, int allCells, int parts, __local int *sums) {
+__kernel C2D_ONE void c2d_alone_grid(C2D_WORLD, int allCells, int parts, __local int *sums) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
@@ -29,8 +29,11 @@ __kernel void c2d_alone_grid(C2D_WORLD, int allCells, int parts, __local int *su
     }
 }
 
-// batch.cl. `tiles`: the tilings.
-__kernel void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums) {
+// batch.cl. `tiles`: the tilings; what comes after `sums` is for batch_local.cl.
+__kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums, int most, int slots, __local ulong *masks,
+                              __local int *places, __local int *keys, __local int *sorted, __local ushort *classes,
+                              __local int *bounds, __local int *fails) {
+    const bool direct = true;
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
@@ -51,7 +54,7 @@ __kernel void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums) {
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int tile = 0; tile < tiles; tile++) {
-        c2d_batch_colour_tile(tile, tile > 0, stalled, C2D_BATCH_COLOUR_HERE, sums);
+        c2d_batch_colour_tile(tile, tile > 0, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
     }
     for (int tile = 0; tile < tiles; tile++) {
         c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_SOLVED, C2D_TILE_START,
@@ -59,16 +62,54 @@ __kernel void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums) {
     }
 }
 
+// A tile as c2d_solve_tile does it, its circles in local memory.
+static void c2d_alone_tile(int tile, __local float4 *bodies, int circles, C2D_SOLVE) {
+    const int first = tileStart[C2D_PARTS * tile];
+    const int end = tileStart[C2D_PARTS * (tile + 1)];
+    const int colours = first < end ? tileColours[tile] : 0;
+    const c2d_numbers numbers = c2d_numbers_of(rule);
+    __global const int *index = batch + capacity;
+    __global const int *colourStart = batch + 2 * capacity + first;
+    int from = first;
+    for (int colour = 0; colour < colours; colour++) {
+        const int stop = colour + 1 < colours ? colourStart[colour + 1] : end;
+        for (int e = from + (int)get_local_id(0); e < stop; e += (int)get_local_size(0)) {
+            const int2 pair = pairs[e];
+            const int k = index[e];
+            float2 remembered = memory[k];
+            float8 a = c2d_body_of(bodies, pair.x, circles);
+            float8 b = c2d_body_of(bodies, pair.y, circles);
+            if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
+                c2d_body_to(bodies, pair.x, circles, a);
+                c2d_body_to(bodies, pair.y, circles, b);
+                memory[k] = remembered;
+            }
+        }
+        from = stop;
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+}
+
 // All substeps of a detection: integrate.cl and solve.cl.
-__kernel void c2d_alone_solve(C2D_WORLD, int tiles, int substeps) {
-    const int circles = status[C2D_STALLED] != 0u ? 0 : world.circles;
+__kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float4 *bodies, int substeps) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
+    const bool stalled = status[C2D_STALLED] != 0u;
+    const int circles = stalled ? 0 : world.circles;
+    for (int i = item; i < circles; i += items) {
+        c2d_body_to(bodies, i, circles, C2D_BODY[i]);
+    }
     for (int substep = 0; substep < substeps; substep++) {
-        for (int i = (int)get_local_id(0); i < circles; i += (int)get_local_size(0)) {
-            C2D_BODY[i] = c2d_integrated(i, substep > 0, true, C2D_CIRCLES_HERE);
+        for (int i = item; i < circles; i += items) {
+            const float8 body = c2d_body_of(bodies, i, circles);
+            c2d_body_to(bodies, i, circles, c2d_integrated(body, i, substep > 0, true, C2D_CIRCLES_HERE));
         }
-        barrier(CLK_GLOBAL_MEM_FENCE);
-        for (int tile = 0; tile < tiles; tile++) {
-            c2d_solve_tile(tile, C2D_SOLVE_HERE);
+        barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+        for (int tile = 0; tile < (stalled ? 0 : tiles); tile++) {
+            c2d_alone_tile(tile, bodies, circles, C2D_SOLVE_HERE);
         }
+    }
+    for (int i = item; i < circles; i += items) {
+        C2D_BODY[i] = c2d_body_of(bodies, i, circles);
     }
 }

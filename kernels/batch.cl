@@ -20,8 +20,8 @@ static int c2d_tile(int2 cell, int8 tiling) {
     return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
 }
 
-// The contacts of a tile, and its circles, are counted in so many parts, by rows of cells: what is of one row lies together in
-// memory.
+// The contacts of a tile, and its circles, are counted in so many parts, by rows of buckets or of cells: what is of one row lies
+// together in memory, and what is of one bucket is in one part.
 #define C2D_PARTS 8
 static int c2d_batch_part(int tile, int row) { return C2D_PARTS * tile + row % C2D_PARTS; }
 
@@ -84,7 +84,7 @@ static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const flo
         tile = c2d_tile(a, tilings[tiling]);
     }
     tint[k] = (ushort)c2d_batch_class(cell, levels);
-    return c2d_batch_part(asOne ? tiling : tile, a.y);
+    return c2d_batch_part(asOne ? tiling : tile, a.y >> levels[1 + cell.z].C2D_SHIFT);
 }
 
 // Contacts 4 q to 4 q + 3; there is always room for a multiple of four.

@@ -1,4 +1,4 @@
-// Of stage batch: gives each contact its colour within its tile. Twin of host.Batch.
+// Of stage batch: gives each contact its colour within its tile. Twin of host.Batch. The kernel is in batch_local.cl.
 //
 // The contacts of a tile are coloured class by class, those of a bucket in the order of its lists: buckets of one class, batch.cl, share
 // no circle. A contact gets the lowest colour that neither of its circles has yet in the tile. Neighbours in the order
@@ -110,32 +110,23 @@ static void c2d_batch_colour_run(int k, int tile, C2D_BATCH_COLOUR) {
     }
 }
 
-// By one work-group, a class after the other.
-static void c2d_batch_colour_tile(int tile, bool clears, bool stalled, C2D_BATCH_COLOUR, __local int *count) {
+// Any tile that has contacts, by one work-group, a class after the other.
+static void c2d_batch_colour_any(int tile, bool clears, C2D_BATCH_COLOUR, __local int *count) {
     const int first = tileStart[C2D_PARTS * tile];
-    const bool any = !stalled && first < tileStart[C2D_PARTS * (tile + 1)];
     if (get_local_id(0) == 0) {
         *count = 0;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (any) {
-        c2d_batch_heads(tile, clears, C2D_BATCH_COLOUR_ALL, count);
-    }
+    c2d_batch_heads(tile, clears, C2D_BATCH_COLOUR_ALL, count);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     const int runs = *count;
-    const int classes = any ? c2d_batch_classes(levelCount) : 0;
-    for (int now = 0; now < classes; now++) {
+    for (int class = 0; class < c2d_batch_classes(levelCount); class++) {
         for (int h = (int)get_local_id(0); h < runs; h += (int)get_local_size(0)) {
             const int2 head = heads[first + h];
-            if (head.x == now) {
+            if (head.x == class) {
                 c2d_batch_colour_run(head.y, tile, C2D_BATCH_COLOUR_ALL);
             }
         }
         barrier(CLK_GLOBAL_MEM_FENCE);
     }
-}
-
-// A tiling, one work-group a tile.
-__kernel void c2d_batch_colour(C2D_WORLD, int firstTile, __local int *count) {
-    c2d_batch_colour_tile(firstTile + (int)get_group_id(0), firstTile > 0, status[C2D_STALLED] != 0u, C2D_BATCH_COLOUR_HERE, count);
 }

@@ -12,13 +12,11 @@ static c2d_axis c2d_small_kick(c2d_axis a, int axis, float slowed, __global cons
 
 // What a circle needs for that.
 #define C2D_CIRCLES                                                                                                    \
-    __global float8 *body, __global const int *id, __global float2 *kicked, __global float2 *walls,                      \
-        __global const float *rule
-#define C2D_CIRCLES_HERE C2D_BODY, C2D_ID, C2D_KICKED, C2D_WALLS, C2D_RULE
+    __global const int *id, __global float2 *kicked, __global float2 *walls, __global const float *rule
+#define C2D_CIRCLES_HERE C2D_ID, C2D_KICKED, C2D_WALLS, C2D_RULE
 
-// Of circle i: the end of a substep, `move`, the start of one, `kick`, or both.
-static float8 c2d_integrated(int i, bool move, bool kick, C2D_CIRCLES) {
-    const float8 b = body[i];
+// Of circle i, which is as `b` says: the end of a substep, `move`, the start of one, `kick`, or both.
+static float8 c2d_integrated(float8 b, int i, bool move, bool kick, C2D_CIRCLES) {
     c2d_axis x = {b.s0, b.s2, b.s4};
     c2d_axis y = {b.s1, b.s3, b.s5};
     if (move) {
@@ -41,7 +39,7 @@ static float8 c2d_integrated(int i, bool move, bool kick, C2D_CIRCLES) {
 __kernel void c2d_integrate(C2D_WORLD) {
     const int i = (int)get_global_id(0);
     if (i < world.circles && status[C2D_STALLED] == 0u) {
-        C2D_BODY[i] = c2d_integrated(i, true, false, C2D_CIRCLES_HERE);
+        C2D_BODY[i] = c2d_integrated(C2D_BODY[i], i, true, false, C2D_CIRCLES_HERE);
     }
 }
 
@@ -71,7 +69,7 @@ __kernel void c2d_publish(C2D_WORLD, __global float4 *circle, __global float2 *v
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (i < world.circles && status[C2D_STALLED] == 0u) {
-        const float8 b = c2d_integrated(i, true, false, C2D_CIRCLES_HERE);
+        const float8 b = c2d_integrated(C2D_BODY[i], i, true, false, C2D_CIRCLES_HERE);
         C2D_BODY[i] = b;
         const int to = C2D_ID[i];
         circle[to].xy = b.s01;

@@ -24,11 +24,11 @@ static void c2d_scan_check(int contacts, int isLists, int capacity, __global uin
     }
 }
 
-__kernel void c2d_scan_sums(C2D_WORLD, int parts, int isLists, __local int *sums) {
+__kernel C2D_ONE void c2d_scan_sums(C2D_WORLD, int parts, int isLists, __local int *sums) {
     c2d_scan_check(c2d_scan_group(C2D_PART_SUMS, parts, sums), isLists, world.capacity, status);
 }
 
-__kernel void c2d_scan_few(C2D_WORLD, uint values, int all, int isLists, __local int *sums) {
+__kernel C2D_ONE void c2d_scan_few(C2D_WORLD, uint values, int all, int isLists, __local int *sums) {
     const int count = status[C2D_STALLED] != 0u ? 0 : all;
     c2d_scan_check(c2d_scan_group(C2D_VALUES, count, sums), isLists, world.capacity, status);
 }

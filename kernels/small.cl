@@ -39,6 +39,9 @@ typedef struct {
     int capacity;
 } c2d_world;
 
+// Of a kernel for one work-group: compilers count on small ones where nothing is said.
+#define C2D_ONE __attribute__((reqd_work_group_size(C2D_ONE_GROUP, 1, 1)))
+
 #define C2D_WORLD __global uchar *heap, __global uint *status, const c2d_world world
 #define C2D_AT(type, part) ((__global type *)(heap + 32ul * world.part))
 

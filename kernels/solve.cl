@@ -2,10 +2,10 @@
 // Solver.SMALL_STEPS. Twin of host.Solve.
 
 #define C2D_SOLVE                                                                                                      \
-    C2D_CIRCLES, __global float2 *memory, __global const int2 *pairs, int capacity, __global const int *batch,           \
+    __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int2 *pairs, int capacity, __global const int *batch,           \
         __global const int *tileStart, __global const int *tileColours, __global const uint *status
 #define C2D_SOLVE_HERE                                                                                                 \
-    C2D_CIRCLES_HERE, C2D_MEMORY, C2D_SOLVED, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS, status
+    C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_SOLVED, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS, status
 
 // The contacts of a tile, a colour at a time, by one work-group. On a GPU, a work-item reads where its next contact is, and what is
 // remembered of it, before it solves this one: nobody else changes that.
@@ -57,10 +57,26 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
     }
 }
 
+// Bodies in local memory: on a GPU the halves apart from each other, so that circles whose places are far apart seldom share a bank.
+#if C2D_GPU
+#define C2D_HALF(m, half, room) bodies[(m) + (half) * (room)]
+#else
+#define C2D_HALF(m, half, room) bodies[2 * (m) + (half)]
+#endif
+
+static float8 c2d_body_of(__local const float4 *bodies, int m, int room) {
+    return (float8)(C2D_HALF(m, 0, room), C2D_HALF(m, 1, room));
+}
+
+static void c2d_body_to(__local float4 *bodies, int m, int room, float8 body) {
+    C2D_HALF(m, 0, room) = body.lo;
+    C2D_HALF(m, 1, room) = body.hi;
+}
+
 // A tile that fits into local memory: the `bodies` of its circles and their `places`; what is `remembered` of its contacts, and
 // whether that has `changed`. Each is read and written once, those of a row together, whatever the colours are.
 static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global const int *members,
-                            __global const int *byTile, __local float8 *bodies, __local int *places,
+                            __global const int *byTile, __local float4 *bodies, __local int *places,
                             __local float2 *remembered, __local uchar *changed) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
@@ -75,7 +91,7 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
     }
     for (int m = item; m < own.y - own.x; m += items) {
         const int place = members[own.x + m];
-        bodies[m] = c2d_integrated(place, moves, true, body, id, kicked, walls, rule);
+        c2d_body_to(bodies, m, C2D_TILE_CIRCLES, c2d_integrated(body[place], place, moves, true, id, kicked, walls, rule));
         places[m] = place;
     }
     int2 nextPair = C2D_GPU && first + item < end ? pairs[first + item] : (int2)(0, 0);
@@ -93,12 +109,12 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
             if (visits) {
                 const int i = pair.x & ((1 << C2D_TURN_BITS) - 1);
                 const int j = pair.x >> C2D_TURN_BITS;
-                float8 a = bodies[i];
-                float8 b = bodies[j];
+                float8 a = c2d_body_of(bodies, i, C2D_TILE_CIRCLES);
+                float8 b = c2d_body_of(bodies, j, C2D_TILE_CIRCLES);
                 float2 now = remembered[pair.y];
                 if (c2d_visit(&a, &b, &now, places[i], places[j], id, kicked, numbers)) {
-                    bodies[i] = a;
-                    bodies[j] = b;
+                    c2d_body_to(bodies, i, C2D_TILE_CIRCLES, a);
+                    c2d_body_to(bodies, j, C2D_TILE_CIRCLES, b);
                     remembered[pair.y] = now;
                     changed[pair.y] = 1;
                 }
@@ -109,7 +125,7 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
         barrier(CLK_LOCAL_MEM_FENCE);
     }
     for (int m = item; m < own.y - own.x; m += items) {
-        body[places[m]] = bodies[m];
+        body[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
     }
     for (int e = first + item; e < end; e += items) {
         if (changed[e - first] != 0) {
@@ -124,7 +140,7 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
 #define C2D_MOVE_AND_KICK 2
 
 // A tiling, one work-group a tile. The first one begins with the circles' own share.
-__kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float8 *bodies, __local int *places,
+__kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float4 *bodies, __local int *places,
                         __local float2 *remembered, __local uchar *changed) {
     const int tile = firstTile + (int)get_group_id(0);
     const bool starts = begins != C2D_NOTHING && status[C2D_STALLED] == 0u;
@@ -137,7 +153,7 @@ __kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local
     }
     for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {
         const int i = C2D_MEMBERS[m];
-        C2D_BODY[i] = c2d_integrated(i, moves, true, C2D_CIRCLES_HERE);
+        C2D_BODY[i] = c2d_integrated(C2D_BODY[i], i, moves, true, C2D_CIRCLES_HERE);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_solve_tile(tile, C2D_SOLVE_HERE);

@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Tiles;
+import io.github.circles2d.pipeline.Tuning;
 
 /** Host code of {@code kernels/alone.cl}: stages of a small world by one work-group. */
 final class Alone {
@@ -20,8 +21,22 @@ final class Alone {
         grid.range(1, world.oneGroup())
                 .arguments(known, world.levels().cells, Tiles.PARTS * tilings, new Kernel.Local(4L * grid.group()));
         batch.range(1, world.oneGroup())
-                .arguments(known, tilings, new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)));
-        solve.range(1, world.oneGroup()).arguments(known, tilings);
+                .arguments(
+                        known,
+                        tilings,
+                        new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)),
+                        Batch.local(contacts(world.circles()), world.circles(), false));
+        solve.range(1, world.oneGroup()).arguments(known, tilings, new Kernel.Local(32L * world.circles()));
+    }
+
+    /** Contacts of a tiling for which there is local memory; with more it takes longer. */
+    private static int contacts(int circles) {
+        return 5 * circles / 2;
+    }
+
+    /** Local memory that the kernels need at most. */
+    static long localBytes(int circles) {
+        return 8L * circles + 10L * contacts(circles) + 4L * (Tuning.GPU_ONE_GROUP + Tiles.PARTS + 3);
     }
 
     void grid() {

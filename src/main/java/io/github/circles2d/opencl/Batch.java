@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Tiles;
+import io.github.circles2d.pipeline.Tuning;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -40,12 +41,30 @@ final class Batch {
             if (tiling == colours.size()) {
                 colours.add(new Kernel(session, program, "c2d_batch_colour"));
             }
+            boolean first = tiling == 0;
+            int most = !world.asOnGpu() ? 0 : first ? Tuning.TILE_CONTACTS : Tuning.OTHER_TILE_CONTACTS;
+            int circles = Integer.highestOneBit(first ? most : 2 * most);
             colours.get(tiling)
-                    .arguments(known, tiles.first(tiling), new Kernel.Local(4))
-                    .groups(tiles.count(tiling), world.tileGroup());
+                    .arguments(known, tiles.first(tiling), local(most, circles, true))
+                    .groups(tiles.count(tiling), first ? world.firstTileGroup() : world.tileGroup());
         }
         order.arguments(known, tiles.first(1), tiles.tiles, new Kernel.Local(COUNTS))
                 .groups(tiles.tiles, world.firstTileGroup());
+    }
+
+    /** What tiles of up to so many contacts and circles are coloured in: {@code C2D_LOCAL}. */
+    static Object[] local(int contacts, int circles, boolean hashed) {
+        return new Object[] {
+            contacts,
+            circles,
+            new Kernel.Local(8L * Math.max(1, circles)),
+            new Kernel.Local(4L * Math.max(1, hashed ? circles : 0)),
+            new Kernel.Local(4L * Math.max(1, contacts)),
+            new Kernel.Local(4L * Math.max(1, contacts)),
+            new Kernel.Local(2L * Math.max(2, contacts)),
+            new Kernel.Local(4L * (Tiles.PARTS + 1)),
+            new Kernel.Local(4)
+        };
     }
 
     void run() {

@@ -23,6 +23,8 @@ public final class OpenClDevice implements Device {
     final long maxBuffer;
     final long memory;
     final int maxWorkGroup;
+    /** Bytes of local memory that a work-group may have. */
+    final long localMemory;
     /** Parts of a buffer begin at multiples of this, bytes. */
     final int partAlignment;
 
@@ -57,6 +59,7 @@ public final class OpenClDevice implements Device {
         maxBuffer = number(CL.CL_DEVICE_MAX_MEM_ALLOC_SIZE);
         memory = number(CL.CL_DEVICE_GLOBAL_MEM_SIZE);
         maxWorkGroup = (int) Math.min(Integer.MAX_VALUE, number(CL.CL_DEVICE_MAX_WORK_GROUP_SIZE));
+        localMemory = number(CL.CL_DEVICE_LOCAL_MEM_SIZE);
         partAlignment = (int) Math.max(16, (number(CL.CL_DEVICE_MEM_BASE_ADDR_ALIGN) & 0xFFFFFFFFL) / 8);
         maps = !platform.contains("Oclgrind");
         limitsRegisters = OpenClDevices.text(
@@ -148,7 +151,7 @@ public final class OpenClDevice implements Device {
 
     private int group(WorldConfig config, int onGpu, int onCpu) {
         int suits = isGpu() ? onGpu : onCpu;
-        return config.workGroup() > 0 ? config.workGroup() : suits;
+        return Math.min(maxWorkGroup, config.workGroup() > 0 ? config.workGroup() : suits);
     }
 
     /** Whether a world is done as on a GPU: there, and where a size of groups is asked for, so that it can be run without one. */

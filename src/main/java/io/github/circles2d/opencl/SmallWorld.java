@@ -52,7 +52,14 @@ record SmallWorld(
      * is asked for has it done all the same.
      */
     boolean alone() {
-        return circles() <= Math.min(config.smallWorld(), Tuning.ALONE_CIRCLES) && device.asOnGpu(config);
+        return circles() <= Math.min(config.smallWorld(), Tuning.ALONE_CIRCLES)
+                && Alone.localBytes(circles()) <= device.localMemory
+                && asOnGpu();
+    }
+
+    /** As {@link OpenClDevice#asOnGpu} says. */
+    boolean asOnGpu() {
+        return device.asOnGpu(config);
     }
 
     /** Work-items of a launch for contacts: about as many as there are; kernels go round where there are more. */

@@ -245,6 +245,9 @@ public final class Tuning {
 
     public static final int TILE_CONTACTS = 1400;
 
+    /** The same of contacts that the other tilings have in a tile, to be coloured. */
+    public static final int OTHER_TILE_CONTACTS = 400;
+
     /** Circles up to which one work-group does most of a detection and its substeps, on a GPU. 0 (never) to 10^4. */
     public static final int ALONE_CIRCLES = 1280;
 
