@@ -1,15 +1,18 @@
 // Of stage batch: colours a tile as batch_colour.cl does, in the local memory of a work-group, where that is worth its while and the
 // tile fits. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
 
-// What that takes: of up to `most` contacts the numbers, those in order, later the slots of their circles, and the classes; of up to
-// `slots` circles, a power of two, the colours and, if slots are not places, whose they are; where parts begin; whether it `fails`.
+// What that takes: of up to `most` contacts the numbers, later the slots of their circles, the numbers in order, the classes, and which
+// are first in their row; of up to `slots` circles, a power of two, the colours and, if slots are not places, whose they are; where parts
+// begin; how many `rows` there are, or more than there can be where the tile does not fit.
 #define C2D_LOCAL                                                                                                      \
     int most, int slots, bool direct, __local ulong *masks, __local int *places, __local int *keys, __local int *sorted, \
-        __local ushort *classes, __local int *bounds, __local int *fails
-#define C2D_LOCAL_ALL most, slots, direct, masks, places, keys, sorted, classes, bounds, fails
+        __local ushort *classes, __local ushort *starts, __local int *bounds, __local int *rows
+#define C2D_LOCAL_ALL most, slots, direct, masks, places, keys, sorted, classes, starts, bounds, rows
 
 // Slots that are tried.
 #define C2D_TRIES 32
+// No tile has so many rows.
+#define C2D_FAILS (1 << 30)
 
 // The slot of a circle, or -1.
 static int c2d_batch_slot(int place, int slots, bool direct, __local int *places) {
@@ -63,7 +66,7 @@ static void c2d_batch_colour_row(int e, int contacts, C2D_LOCAL, __global ushort
         const ulong free = ~(own | there);
         const ulong lowest = free & (0ul - free);
         if (free == 0ul) {
-            *fails = 1;
+            *rows = C2D_FAILS;
         }
         own |= lowest;
         masks[j] = there | lowest;
@@ -94,7 +97,7 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
         }
     }
     if (item == 0) {
-        *fails = 0;
+        *rows = 0;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     c2d_batch_sort(count, keys, sorted, bounds);
@@ -103,24 +106,27 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
         const int k = sorted[e];
         const int i = c2d_batch_slot(batch[k], slots, direct, places);
         const int j = c2d_batch_slot(other[k], slots, direct, places);
+        const int class = batch[capacity + k];
         keys[e] = i | j << 16;
-        classes[e] = (ushort)batch[capacity + k];
+        classes[e] = (ushort)class;
         if (i < 0 || j < 0) {
-            *fails = 1;
+            atomic_max(rows, C2D_FAILS);
+        } else if (e == 0 || batch[capacity + sorted[e - 1]] != class) {
+            starts[atomic_inc(rows) & 0xFFFF] = (ushort)e;
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    const int classCount = *fails != 0 ? 0 : c2d_batch_classes(levelCount);
+    const int all = *rows < C2D_FAILS ? *rows : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int class = 0; class < classCount; class++) {
-        for (int e = item; e < count; e += items) {
-            if (classes[e] == class && (e == 0 || classes[e - 1] != class)) {
-                c2d_batch_colour_row(e, count, C2D_LOCAL_ALL, tint);
+    for (int class = 0; class < (all > 0 ? c2d_batch_classes(levelCount) : 0); class++) {
+        for (int row = item; row < all; row += items) {
+            if (classes[starts[row]] == class) {
+                c2d_batch_colour_row(starts[row], count, C2D_LOCAL_ALL, tint);
             }
         }
         barrier(CLK_LOCAL_MEM_FENCE);
     }
-    const bool done = *fails == 0;
+    const bool done = *rows < C2D_FAILS;
     barrier(CLK_LOCAL_MEM_FENCE);
     return done;
 }
@@ -129,14 +135,14 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
 static void c2d_batch_colour_tile(int tile, bool clears, bool stalled, C2D_BATCH_COLOUR, C2D_LOCAL) {
     const bool any = !stalled && tileStart[C2D_PARTS * tile] < tileStart[C2D_PARTS * (tile + 1)];
     if (any && !(C2D_GPU && c2d_batch_colour_local(tile, C2D_BATCH_COLOUR_ALL, C2D_LOCAL_ALL))) {
-        c2d_batch_colour_any(tile, clears, C2D_BATCH_COLOUR_ALL, fails);
+        c2d_batch_colour_any(tile, clears, C2D_BATCH_COLOUR_ALL, rows);
     }
 }
 
 // A tiling, one work-group a tile.
 __kernel void c2d_batch_colour(C2D_WORLD, int firstTile, int most, int slots, __local ulong *masks, __local int *places,
-                               __local int *keys, __local int *sorted, __local ushort *classes, __local int *bounds,
-                               __local int *fails) {
+                               __local int *keys, __local int *sorted, __local ushort *classes, __local ushort *starts,
+                               __local int *bounds, __local int *rows) {
     const int tile = firstTile + (int)get_group_id(0);
     const bool direct = false;
     c2d_batch_colour_tile(tile, firstTile > 0, status[C2D_STALLED] != 0u, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);

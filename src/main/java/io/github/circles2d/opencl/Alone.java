@@ -31,12 +31,12 @@ final class Alone {
 
     /** Contacts of a tiling for which there is local memory; with more it takes longer. */
     private static int contacts(int circles) {
-        return 5 * circles / 2;
+        return 9 * circles / 4;
     }
 
     /** Local memory that the kernels need at most. */
     static long localBytes(int circles) {
-        return 8L * circles + 10L * contacts(circles) + 4L * (Tuning.GPU_ONE_GROUP + Tiles.PARTS + 3);
+        return 8L * circles + 12L * contacts(circles) + 4L * (Tuning.GPU_ONE_GROUP + Tiles.PARTS + 3);
     }
 
     void grid() {

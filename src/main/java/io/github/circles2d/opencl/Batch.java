@@ -62,6 +62,7 @@ final class Batch {
             new Kernel.Local(4L * Math.max(1, contacts)),
             new Kernel.Local(4L * Math.max(1, contacts)),
             new Kernel.Local(2L * Math.max(2, contacts)),
+            new Kernel.Local(2L * Math.max(2, contacts)),
             new Kernel.Local(4L * (Tiles.PARTS + 1)),
             new Kernel.Local(4)
         };

@@ -35,12 +35,18 @@ final class Kernel implements AutoCloseable {
         kernel = session.api.createKernel(program.program(), name, status);
         Cl.check("clCreateKernel(" + name + ")", status[0]);
         session.own(this);
-        long[] most = new long[1];
+        // a kernel that says its size has that one, and drivers may name another as the largest
+        int said = workGroup(CL.CL_KERNEL_COMPILE_WORK_GROUP_SIZE, 3);
+        maxGroup = said > 0 ? said : workGroup(CL.CL_KERNEL_WORK_GROUP_SIZE, 1);
+    }
+
+    private int workGroup(int what, int numbers) {
+        long[] value = new long[numbers];
         Cl.check(
                 "clGetKernelWorkGroupInfo",
                 session.api.getKernelWorkGroupInfo(
-                        kernel, session.device.id, CL.CL_KERNEL_WORK_GROUP_SIZE, Sizeof.size_t, Pointer.to(most)));
-        maxGroup = (int) Math.min(Integer.MAX_VALUE, most[0]);
+                        kernel, session.device.id, what, (long) Sizeof.size_t * numbers, Pointer.to(value)));
+        return (int) Math.min(Integer.MAX_VALUE, value[0]);
     }
 
     /** Local memory of a work-group, as an argument. */
