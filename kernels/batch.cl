@@ -4,7 +4,7 @@
 // Here contacts, and circles, go to their tiles; batch_colour.cl and batch_order.cl do the rest.
 //
 // `batch` has three parts of `capacity` ints. By contact: its circle `owner`, in whose list it is; which of its part of its tile
-// it was counted as, and after that its class; that part. Then, in the order of solving: `index`, the contact; and, from the first contact of a tile on,
+// it was counted as, and after that its code; that part. Then, in the order of solving: `index`, the contact; and, from the first contact of a tile on,
 // where its colours begin. `tileStart`: the first contact of each part of each tile.
 
 #define C2D_SIDE s1
@@ -20,8 +20,8 @@ static int c2d_tile(int2 cell, int8 tiling) {
     return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
 }
 
-// The contacts of a tile, and its circles, are counted in so many parts, by rows of buckets or of cells: what is of one row lies
-// together in memory, and what is of one bucket is in one part.
+// The contacts of a tile, and its circles, are counted in so many parts, by rows of cells: what is of one row lies together in
+// memory.
 #define C2D_PARTS 8
 static int c2d_batch_part(int tile, int row) { return C2D_PARTS * tile + row % C2D_PARTS; }
 
@@ -54,19 +54,24 @@ static int4 c2d_batch_turns(int4 part, __global int *tileStart) {
     return turn;
 }
 
-// The class of the bucket of a circle: classes are levels, and of each level columns modulo 3 and rows modulo 2, 3 at wider levels.
-// Folded levels leave these as they are.
-static int c2d_batch_class(int4 cell, __global const int8 *levels) {
+// What colours need to know of the bucket of a circle. Its class: classes are levels, and of each level columns modulo 3 and rows
+// modulo 2, 3 at wider levels; folded levels leave these as they are. And its bin, so that what is near each other, but not of
+// one bucket, is in different ones.
+#define C2D_BINS 64
+#define C2D_CLASS(code) ((code) & 0xFF)
+#define C2D_BIN(code) ((code) >> 8)
+static int c2d_batch_code(int4 cell, __global const int8 *levels) {
     const int shift = levels[1 + cell.z].C2D_SHIFT;
-    const int x = (cell.x >> shift) % 3;
-    const int y = (cell.y >> shift) % (cell.z == 0 ? 2 : 3);
-    return (cell.z == 0 ? 0 : 9 * cell.z - 3) + 3 * y + x;
+    const int x = cell.x >> shift;
+    const int y = cell.y >> shift;
+    const int class = (cell.z == 0 ? 0 : 9 * cell.z - 3) + 3 * (y % (cell.z == 0 ? 2 : 3)) + x % 3;
+    return class | (x % 8 + 8 * (y % 8)) << 8;
 }
 
 static int c2d_batch_classes(int levelCount) { return 9 * levelCount - 3; }
 
 // The part of contact k, of those of its tile; or, where all tiles of a tiling are done as one, of its tiling. Its tint is, until it is
-// coloured, its class.
+// coloured, the code of its bucket.
 static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const float8 *body, __global const int8 *levels,
                              __global const int8 *tilings, __global const float *rule, __global const int *other,
                              __global const int *batch, __global ushort *tint) {
@@ -83,8 +88,8 @@ static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const flo
         tiling++;
         tile = c2d_tile(a, tilings[tiling]);
     }
-    tint[k] = (ushort)c2d_batch_class(cell, levels);
-    return c2d_batch_part(asOne ? tiling : tile, a.y >> levels[1 + cell.z].C2D_SHIFT);
+    tint[k] = (ushort)c2d_batch_code(cell, levels);
+    return c2d_batch_part(asOne ? tiling : tile, a.y);
 }
 
 // Contacts 4 q to 4 q + 3; there is always room for a multiple of four.

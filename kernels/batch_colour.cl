@@ -25,11 +25,11 @@ static bool c2d_batch_holds(int tile, int k, int capacity, __global const int *b
     return batch[2 * capacity + k] / C2D_PARTS == tile;
 }
 
-// Appends to `heads`, from the first contact of the tile on, in any order, the classes and first contacts of its runs: those that
-// follow each other in the order of lists and are of one class are of one bucket, or of several that share no circle. `clears` what
+// Appends to `heads`, from the first contact of the tile on, in any order, the codes and first contacts of its runs: those that
+// follow each other in the order of lists and have one code are of one bucket, or of several that share no circle. `clears` what
 // circles know of colours; for the first tiling that is done. By one work-group.
 static void c2d_batch_heads(int tile, bool clears, C2D_BATCH_COLOUR, __local int *count) {
-    __global const int *class = batch + capacity;
+    __global const int *code = batch + capacity;
     const int first = tileStart[C2D_PARTS * tile];
     const int end = tileStart[C2D_PARTS * (tile + 1)];
     for (int e = first + (int)get_local_id(0); e < end; e += (int)get_local_size(0)) {
@@ -42,12 +42,12 @@ static void c2d_batch_heads(int tile, bool clears, C2D_BATCH_COLOUR, __local int
             beyond[i] = 0;
             beyond[j] = 0;
         }
-        const int own = class[k];
+        const int own = code[k];
         int before = k - 1;
-        while (before >= 0 && class[before] == own && !c2d_batch_holds(tile, before, capacity, batch)) {
+        while (before >= 0 && code[before] == own && !c2d_batch_holds(tile, before, capacity, batch)) {
             before--;
         }
-        if (before < 0 || class[before] != own) {
+        if (before < 0 || code[before] != own) {
             heads[first + atomic_inc(count)] = (int2)(own, k);
         }
     }
@@ -101,9 +101,9 @@ static void c2d_batch_colour_list(int i, int k, int end, int tile, C2D_BATCH_COL
 
 // Those of a tile in a run, from contact k on.
 static void c2d_batch_colour_run(int k, int tile, C2D_BATCH_COLOUR) {
-    __global const int *class = batch + capacity;
-    const int own = class[k];
-    for (int i = batch[k]; k < contacts && class[k] == own; i++) {
+    __global const int *code = batch + capacity;
+    const int own = code[k];
+    for (int i = batch[k]; k < contacts && code[k] == own; i++) {
         const int next = listStart[i + 1];
         c2d_batch_colour_list(i, k, next, tile, C2D_BATCH_COLOUR_ALL);
         k = next;
@@ -123,7 +123,7 @@ static void c2d_batch_colour_any(int tile, bool clears, C2D_BATCH_COLOUR, __loca
     for (int class = 0; class < c2d_batch_classes(levelCount); class++) {
         for (int h = (int)get_local_id(0); h < runs; h += (int)get_local_size(0)) {
             const int2 head = heads[first + h];
-            if (head.x == class) {
+            if (C2D_CLASS(head.x) == class) {
                 c2d_batch_colour_run(head.y, tile, C2D_BATCH_COLOUR_ALL);
             }
         }

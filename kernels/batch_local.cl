@@ -1,13 +1,16 @@
 // Of stage batch: colours a tile as batch_colour.cl does, in the local memory of a work-group, where that is worth its while and the
 // tile fits. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
 
-// What that takes: of up to `most` contacts the numbers, later the slots of their circles, the numbers in order, the classes, and which
-// are first in their row; of up to `slots` circles, a power of two, the colours and, if slots are not places, whose they are; where parts
-// begin; how many `rows` there are, or more than there can be where the tile does not fit.
+// What that takes: of up to `most` contacts, entries, the codes, and which are first in their row; of up to `slots` circles, a power of
+// two, the colours and, if slots are not places, whose they are; where bins begin; how many `rows` there are, or more than there
+// can be where the tile does not fit. An entry is, in the end, the slots of the two circles, with C2D_LAST in the last of a row, and the
+// number of the contact.
 #define C2D_LOCAL                                                                                                      \
-    int most, int slots, bool direct, __local ulong *masks, __local int *places, __local int *keys, __local int *sorted, \
-        __local ushort *classes, __local ushort *starts, __local int *bounds, __local int *rows
-#define C2D_LOCAL_ALL most, slots, direct, masks, places, keys, sorted, classes, starts, bounds, rows
+    int most, int slots, bool direct, __local ulong *masks, __local int *places, __local int2 *entries,                  \
+        __local ushort *codes, __local ushort *starts, __local int *bins, __local int *rows
+#define C2D_LOCAL_ALL most, slots, direct, masks, places, entries, codes, starts, bins, rows
+#define C2D_SLOT_BITS 15
+#define C2D_LAST (1 << 30)
 
 // Slots that are tried.
 #define C2D_TRIES 32
@@ -21,6 +24,7 @@ static int c2d_batch_slot(int place, int slots, bool direct, __local int *places
     }
     // by the golden ratio, so that neighbours do not meet
     uint slot = ((uint)place * 2654435769u) >> 16;
+#pragma unroll 1
     for (int tries = 0; tries < C2D_TRIES; tries++, slot++) {
         const int at = (int)(slot & (uint)(slots - 1));
         const int was = atomic_cmpxchg(&places[at], -1, place);
@@ -31,30 +35,58 @@ static int c2d_batch_slot(int place, int slots, bool direct, __local int *places
     return -1;
 }
 
-// Puts the contacts of each part in the order of the lists; those of a bucket follow each other then.
-static void c2d_batch_sort(int contacts, __local const int *keys, __local int *sorted, __local const int *bounds) {
-    for (int e = (int)get_local_id(0); e < contacts; e += (int)get_local_size(0)) {
-        int part = 0;
-        while (bounds[part + 1] <= e) {
-            part++;
-        }
-        const int k = keys[e];
-        int to = bounds[part];
-        for (int o = bounds[part]; o < bounds[part + 1]; o++) {
-            to += keys[o] < k ? 1 : 0;
-        }
-        sorted[to] = k;
+// Puts the numbers of a tile's contacts into `entries`, bin by bin, those of a bin in the order of the lists.
+static void c2d_batch_sort(int count, __global const int *byTile, __global const int *code, __local int2 *entries,
+                           __local ushort *codes, __local ushort *turns, __local int *bins) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
+    __local int *start = bins + C2D_BINS;
+    for (int bin = item; bin < C2D_BINS; bin += items) {
+        bins[bin] = 0;
     }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int e = item; e < count; e += items) {
+        turns[e] = (ushort)atomic_inc(&bins[C2D_BIN(code[byTile[e]])]);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int bin = item; bin <= C2D_BINS; bin += items) {
+        int sum = 0;
+        for (int before = 0; before < bin; before++) {
+            sum += bins[before];
+        }
+        start[bin] = sum;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int e = item; e < count; e += items) {
+        const int k = byTile[e];
+        const int to = start[C2D_BIN(code[k])] + turns[e];
+        entries[to].x = k;
+        codes[to] = (ushort)code[k];
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int e = item; e < count; e += items) {
+        const int bin = C2D_BIN(codes[e]);
+        const int k = entries[e].x;
+        int to = start[bin];
+        for (int o = start[bin]; o < start[bin + 1]; o++) {
+            to += entries[o].x < k ? 1 : 0;
+        }
+        entries[to].y = k;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// The contacts of a class that follow each other from e on. Those of several buckets share no circle.
-static void c2d_batch_colour_row(int e, int contacts, C2D_LOCAL, __global ushort *tint) {
-    const ushort class = classes[e];
+// A row: the contacts from e on that have one code. If they are of several buckets, these share no circle.
+static void c2d_batch_colour_row(int e, int count, C2D_LOCAL, __global ushort *tint) {
+    int2 next = entries[e];
+    int2 now;
     int last = -1;
     ulong own = 0ul;
-    for (; e < contacts && classes[e] == class; e++) {
-        const int i = keys[e] & 0xFFFF;
-        const int j = keys[e] >> 16;
+    do {
+        now = next;
+        next = entries[min(++e, count - 1)];
+        const int i = now.x & ((1 << C2D_SLOT_BITS) - 1);
+        const int j = now.x >> C2D_SLOT_BITS & ((1 << C2D_SLOT_BITS) - 1);
         if (i != last) {
             if (last >= 0) {
                 masks[last] = own;
@@ -70,8 +102,8 @@ static void c2d_batch_colour_row(int e, int contacts, C2D_LOCAL, __global ushort
         }
         own |= lowest;
         masks[j] = there | lowest;
-        tint[sorted[e]] = (ushort)(C2D_COLOURS - 1 - (int)clz(lowest));
-    }
+        tint[now.y] = (ushort)(C2D_COLOURS - 1 - (int)clz(lowest));
+    } while ((now.x & C2D_LAST) == 0);
     masks[last] = own;
 }
 
@@ -84,12 +116,6 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     if (count > most) {
         return false;
     }
-    for (int e = item; e < count; e += items) {
-        keys[e] = byTile[first + e];
-    }
-    for (int part = item; part <= C2D_PARTS; part += items) {
-        bounds[part] = tileStart[C2D_PARTS * tile + part] - first;
-    }
     for (int slot = item; slot < slots; slot += items) {
         masks[slot] = 0ul;
         if (!direct) {
@@ -99,19 +125,20 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     if (item == 0) {
         *rows = 0;
     }
-    barrier(CLK_LOCAL_MEM_FENCE);
-    c2d_batch_sort(count, keys, sorted, bounds);
+    c2d_batch_sort(count, byTile + first, batch + capacity, entries, codes, starts, bins);
+    for (int e = item; e < count; e += items) {
+        codes[e] = (ushort)batch[capacity + entries[e].y];
+    }
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int e = item; e < count; e += items) {
-        const int k = sorted[e];
+        const int k = entries[e].y;
         const int i = c2d_batch_slot(batch[k], slots, direct, places);
         const int j = c2d_batch_slot(other[k], slots, direct, places);
-        const int class = batch[capacity + k];
-        keys[e] = i | j << 16;
-        classes[e] = (ushort)class;
+        const bool last = e + 1 == count || codes[e + 1] != codes[e];
+        entries[e].x = i | j << C2D_SLOT_BITS | (last ? C2D_LAST : 0);
         if (i < 0 || j < 0) {
             atomic_max(rows, C2D_FAILS);
-        } else if (e == 0 || batch[capacity + sorted[e - 1]] != class) {
+        } else if (e == 0 || codes[e - 1] != codes[e]) {
             starts[atomic_inc(rows) & 0xFFFF] = (ushort)e;
         }
     }
@@ -120,7 +147,7 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int class = 0; class < (all > 0 ? c2d_batch_classes(levelCount) : 0); class++) {
         for (int row = item; row < all; row += items) {
-            if (classes[starts[row]] == class) {
+            if (C2D_CLASS(codes[starts[row]]) == class) {
                 c2d_batch_colour_row(starts[row], count, C2D_LOCAL_ALL, tint);
             }
         }
@@ -141,8 +168,8 @@ static void c2d_batch_colour_tile(int tile, bool clears, bool stalled, C2D_BATCH
 
 // A tiling, one work-group a tile.
 __kernel void c2d_batch_colour(C2D_WORLD, int firstTile, int most, int slots, __local ulong *masks, __local int *places,
-                               __local int *keys, __local int *sorted, __local ushort *classes, __local ushort *starts,
-                               __local int *bounds, __local int *rows) {
+                               __local int2 *entries, __local ushort *codes, __local ushort *starts, __local int *bins,
+                               __local int *rows) {
     const int tile = firstTile + (int)get_group_id(0);
     const bool direct = false;
     c2d_batch_colour_tile(tile, firstTile > 0, status[C2D_STALLED] != 0u, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);

@@ -36,7 +36,7 @@ final class Alone {
 
     /** Local memory that the kernels need at most. */
     static long localBytes(int circles) {
-        return 8L * circles + 12L * contacts(circles) + 4L * (Tuning.GPU_ONE_GROUP + Tiles.PARTS + 3);
+        return 8L * circles + 12L * contacts(circles) + 4L * (Tuning.GPU_ONE_GROUP + 2 * Batch.BINS + 3);
     }
 
     void grid() {

@@ -10,6 +10,9 @@ final class Batch {
     /** Bytes of {@code counts}. */
     static final long COUNTS = 4 * (64 + 2);
 
+    /** {@code C2D_BINS}. */
+    static final int BINS = 64;
+
     private final Session session;
     private final Program program;
     private final Kernel count;
@@ -59,11 +62,10 @@ final class Batch {
             circles,
             new Kernel.Local(8L * Math.max(1, circles)),
             new Kernel.Local(4L * Math.max(1, hashed ? circles : 0)),
-            new Kernel.Local(4L * Math.max(1, contacts)),
-            new Kernel.Local(4L * Math.max(1, contacts)),
+            new Kernel.Local(8L * Math.max(1, contacts)),
             new Kernel.Local(2L * Math.max(2, contacts)),
             new Kernel.Local(2L * Math.max(2, contacts)),
-            new Kernel.Local(4L * (Tiles.PARTS + 1)),
+            new Kernel.Local(4L * (2 * BINS + 1)),
             new Kernel.Local(4)
         };
     }

@@ -101,7 +101,7 @@ public final class Tuning {
     public static final int CPU_TILE_GROUP = 1;
 
     /** Work-items of a launch of one group, which scans cells or does a small world, on a GPU. 64 to 1,024. */
-    public static final int GPU_ONE_GROUP = 1024;
+    public static final int GPU_ONE_GROUP = 512;
 
     /** The same on a CPU, where one work-item after the other runs anyway. */
     public static final int CPU_ONE_GROUP = 1;
