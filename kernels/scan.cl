@@ -1,5 +1,5 @@
-// Turns counts into sums: each value becomes the sum of all up to it. Many values take three launches: parts, one a work-group;
-// the sums of the parts, one work-group; the sums added to the parts. Few take one launch of one work-group. Integers alone, so
+// Turns counts into sums: each value becomes the sum of all up to it. Many values take two launches: parts, one a work-group; what
+// comes before a part added to it, for which each group sums up the parts before its own. Few take one launch of one work-group. Integers alone, so
 // that the size of a group leaves no trace.
 
 #define C2D_PART_SUMS C2D_AT(int, partSums)
@@ -24,18 +24,43 @@ static void c2d_scan_check(int contacts, int isLists, int capacity, __global uin
     }
 }
 
-__kernel C2D_ONE void c2d_scan_sums(C2D_WORLD, int parts, int isLists, __local int *sums) {
-    c2d_scan_check(c2d_scan_group(C2D_PART_SUMS, parts, sums), isLists, world.capacity, status);
-}
-
 __kernel C2D_ONE void c2d_scan_few(C2D_WORLD, uint values, int all, int isLists, __local int *sums) {
     const int count = status[C2D_STALLED] != 0u ? 0 : all;
     c2d_scan_check(c2d_scan_group(C2D_VALUES, count, sums), isLists, world.capacity, status);
 }
 
-__kernel void c2d_scan_add(C2D_WORLD, uint values, int count, int perPart) {
-    const int k = (int)get_global_id(0);
-    if (k >= perPart && k < count && status[C2D_STALLED] == 0u) {
-        C2D_VALUES[k] = add_sat(C2D_VALUES[k], C2D_PART_SUMS[k / perPart - 1]);
+// What the parts before `part` add up to, by all of a group.
+static int c2d_scan_before(int part, __global const int *partSums, __local int *sums) {
+    const int item = (int)get_local_id(0);
+    int own = 0;
+    for (int before = item; before < part; before += (int)get_local_size(0)) {
+        own = add_sat(own, partSums[before]);
+    }
+    sums[item] = own;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int width = (int)get_local_size(0); width > 1; width = (width + 1) / 2) {
+        if (item < width / 2) {
+            sums[item] = add_sat(sums[item], sums[item + (width + 1) / 2]);
+        }
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+    return sums[0];
+}
+
+// Groups as for the parts. In a step that has stalled, these add up to nothing, so that values stay what they are.
+__kernel void c2d_scan_add(C2D_WORLD, uint values, int count, int isLists, __local int *sums) {
+    const int part = (int)get_group_id(0);
+    const int before = c2d_scan_before(part, C2D_PART_SUMS, sums);
+    const int first = (int)get_global_id(0) * C2D_SCAN;
+    if (part > 0) {
+        int own[C2D_SCAN];
+        c2d_scan_read(C2D_VALUES, first, count, own);
+        for (int k = 0; k < C2D_SCAN; k++) {
+            own[k] = add_sat(own[k], before);
+        }
+        c2d_scan_write(C2D_VALUES, first, count, own);
+    }
+    if (part == (int)get_num_groups(0) - 1) {
+        c2d_scan_check(add_sat(before, C2D_PART_SUMS[part]), isLists, world.capacity, status);
     }
 }

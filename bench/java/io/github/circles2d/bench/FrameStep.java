@@ -39,6 +39,14 @@ import org.openjdk.jmh.annotations.Warmup;
 @Fork(1)
 public class FrameStep {
     private static final int SETTLE = 10;
+
+    /**
+     * Frames before the first that is measured, and the time that they may take: compilers take some memory once on the thread that runs
+     * what they compile.
+     */
+    private static final int FRAMES_BEFORE = 400;
+
+    private static final long NANOS_BEFORE = 2_000_000_000L;
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     /** As {@link io.github.circles2d.ComputeDevice#find} takes it, or {@code preferred}. */
@@ -84,6 +92,11 @@ public class FrameStep {
                         .background(background));
         world.step(SETTLE);
         world.snapshot();
+        long end = System.nanoTime() + NANOS_BEFORE;
+        for (int frame = 0; frame < FRAMES_BEFORE && System.nanoTime() < end; frame++) {
+            world.step();
+            world.snapshot();
+        }
     }
 
     @TearDown

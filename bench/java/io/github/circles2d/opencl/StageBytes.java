@@ -80,7 +80,7 @@ final class StageBytes {
             case "c2d_grid_clear" -> 4 * (buckets + parts + members);
             // body; bucket and turn; counts read and written
             case "c2d_grid_bin" -> (32 + 8) * n + 8 * occupied;
-            // of three scans, those that take three launches: values read and written
+            // of three scans, those that take two launches: values read and written
             case "c2d_scan_parts", "c2d_scan_add" -> 8 * scanned(false);
             // those that take one
             case "c2d_scan_few" -> 8 * scanned(true);

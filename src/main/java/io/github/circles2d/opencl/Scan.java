@@ -6,14 +6,12 @@ import io.github.circles2d.pipeline.Tuning;
 final class Scan {
     private final Kernel few;
     private final Kernel parts;
-    private final Kernel sums;
     private final Kernel add;
     private boolean isFew;
 
     Scan(Session session, Program program) {
         few = new Kernel(session, program, "c2d_scan_few");
         parts = new Kernel(session, program, "c2d_scan_parts");
-        sums = new Kernel(session, program, "c2d_scan_sums");
         add = new Kernel(session, program, "c2d_scan_add");
     }
 
@@ -29,9 +27,8 @@ final class Scan {
         few.range(1, world.oneGroup()).arguments(known, values, count, isLists, new Kernel.Local(4L * few.group()));
         parts.range((count + Tuning.SCAN - 1L) / Tuning.SCAN, world.group())
                 .arguments(known, values, count, new Kernel.Local(4L * parts.group()));
-        sums.range(1, world.oneGroup())
-                .arguments(known, (int) parts.groups(), isLists, new Kernel.Local(4L * sums.group()));
-        add.range(count, world.group()).arguments(known, values, count, Tuning.SCAN * parts.group());
+        add.range((count + Tuning.SCAN - 1L) / Tuning.SCAN, world.group())
+                .arguments(known, values, count, isLists, new Kernel.Local(4L * add.group()));
     }
 
     void run() {
@@ -40,7 +37,6 @@ final class Scan {
             return;
         }
         parts.launch();
-        sums.launch();
         add.launch();
     }
 }
