@@ -64,8 +64,11 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
 #define C2D_HALF(m, half, room) bodies[2 * (m) + (half)]
 #endif
 
+// By component: Oclgrind cannot put two vectors together.
 static float8 c2d_body_of(__local const float4 *bodies, int m, int room) {
-    return (float8)(C2D_HALF(m, 0, room), C2D_HALF(m, 1, room));
+    const float4 low = C2D_HALF(m, 0, room);
+    const float4 high = C2D_HALF(m, 1, room);
+    return (float8)(low.x, low.y, low.z, low.w, high.x, high.y, high.z, high.w);
 }
 
 static void c2d_body_to(__local float4 *bodies, int m, int room, float8 body) {

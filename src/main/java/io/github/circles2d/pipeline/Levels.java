@@ -8,7 +8,7 @@ import java.util.Arrays;
  *
  * <p>The cell of a position at level k is its finest cell shifted right by k, so that a circle has exactly one cell at
  * every level. A level with many more cells than circles is folded into a torus of buckets, sheared, so that cells near
- * each other never share one; columns are then a multiple of 3 and rows of 6, and cells of one colour stay apart.
+ * each other never share one; columns are then a multiple of 3 and rows of 6, and cells of one class stay apart.
  *
  * <p>Circles are kept by bucket, row by row, from the {@link #BASE} of their level on. A bucket's contacts, those in the
  * lists of its circles, touch circles of neighbouring cells: at the finest level of the same row and the next, at others, whose
@@ -99,7 +99,7 @@ public final class Levels {
         return INTS * (level + 1);
     }
 
-    /** How many rows apart buckets of one colour are. */
+    /** How many rows apart buckets of one class are. */
     public static int rows(int level) {
         return level == 0 ? 2 : 3;
     }

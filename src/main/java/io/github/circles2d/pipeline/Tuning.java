@@ -239,13 +239,14 @@ public final class Tuning {
 
     /**
      * Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 600; 16 to 2,000: they take 36 and 9
-     * bytes each, together less than the 32 KiB that every device has.
+     * bytes each, together less than the 32 KiB that every device has. On a GPU its contacts are also coloured there, 12 bytes each and 12
+     * for each of the circles, of which there is room for the power of two up to these contacts.
      */
     public static final int TILE_CIRCLES = 540;
 
     public static final int TILE_CONTACTS = 1400;
 
-    /** The same of contacts that the other tilings have in a tile, to be coloured. */
+    /** Contacts up to which a tile of another tiling is coloured there. 16 to 1,400; there is room for more circles than that. */
     public static final int OTHER_TILE_CONTACTS = 400;
 
     /** Circles up to which one work-group does most of a detection and its substeps, on a GPU. 0 (never) to 10^4. */

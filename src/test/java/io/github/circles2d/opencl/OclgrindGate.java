@@ -25,7 +25,7 @@ import java.util.stream.Stream;
  * {@code .ci/oclgrind-gate} starts it and reads Oclgrind's log. An argument names a planted fault to run instead.
  */
 public final class OclgrindGate {
-    private static final Pattern KERNEL = Pattern.compile("__kernel\\s+void\\s+(\\w+)");
+    private static final Pattern KERNEL = Pattern.compile("__kernel\\s+(?:C2D_ONE\\s+)?void\\s+(\\w+)");
     private static final List<IndexStrategy> STRATEGIES = List.of(
             IndexStrategy.formula(), IndexStrategy.pairTable(), IndexStrategy.rowSearch(), IndexStrategy.folded());
 
@@ -84,6 +84,8 @@ public final class OclgrindGate {
         }
         // lists more contacts than there is room for, and is sorted again
         agreeInSmallSteps(pile(), 52, IndexStrategy.grid(), 1, 1);
+        // more contacts in a tile than fit into local memory
+        agreeInSmallSteps(pile(), 60, IndexStrategy.grid(), 1, 1);
         // by its speeds this one takes more substeps in its second step, which rescales what it remembers
         agreeInSmallSteps(Scene.GAS, 9, IndexStrategy.grid(), 0, 0);
         agree(Scene.THESIS, 65, 2, IndexStrategy.grid(), CollisionStore.COMPACT, 0, 0);
@@ -96,7 +98,7 @@ public final class OclgrindGate {
         System.out.println("gate: " + worlds + " worlds agree with the host; ran " + books.launched());
     }
 
-    /** Every circle in every other: 1,326 contacts, more than a world of 52 first has room for. */
+    /** Every circle in every other: of 52, 1,326 contacts, more than such a world first has room for. */
     private static Scene pile() {
         return new Scene("pile", 0, -1, 0.5f, (world, circles) -> {
             for (int i = 0; i < circles; i++) {
