@@ -53,45 +53,32 @@ static void c2d_batch_heads(int tile, bool clears, C2D_BATCH_COLOUR, __local int
     }
 }
 
-// Contacts that are read ahead, on a GPU; processors are quicker without.
-#define C2D_AHEAD (C2D_GPU ? 4 : 1)
-
 // Those of a tile in the list of circle i, from k on.
 static void c2d_batch_colour_list(int i, int k, int end, int tile, C2D_BATCH_COLOUR) {
     ulong own = 0ul;
     bool used = false;
-    for (; k < end; k += C2D_AHEAD) {
-        // the circles of a list are different ones, so that their masks can be read ahead
-        int j[C2D_AHEAD];
-        bool ours[C2D_AHEAD];
-        ulong there[C2D_AHEAD];
-        for (int c = 0; c < C2D_AHEAD; c++) {
-            const int at = min(k + c, end - 1);
-            j[c] = other[at];
-            ours[c] = k + c < end && c2d_batch_holds(tile, at, capacity, batch);
-            there[c] = ours[c] ? mask[j[c]] : 0ul;
-        }
-        for (int c = 0; c < C2D_AHEAD; c++) {
-            if (ours[c]) {
-                own = used ? own : mask[i];
-                used = true;
-                const ulong free = ~(own | there[c]);
-                const ulong lowest = free & (0ul - free);
-                int colour = C2D_COLOURS - 1 - (int)clz(lowest);
-                if (free != 0ul) {
-                    own |= lowest;
-                    mask[j[c]] = there[c] | lowest;
-                } else {
-                    const int next = max(beyond[i], beyond[j[c]]) + 1;
-                    beyond[i] = next;
-                    beyond[j[c]] = next;
-                    colour = C2D_COLOURS - 1 + next;
-                    if (colour > C2D_COLOUR_MOST) {
-                        status[C2D_STALLED] = C2D_TOO_DENSE;
-                    }
+    for (; k < end; k++) {
+        if (c2d_batch_holds(tile, k, capacity, batch)) {
+            const int j = other[k];
+            const ulong there = mask[j];
+            own = used ? own : mask[i];
+            used = true;
+            const ulong free = ~(own | there);
+            const ulong lowest = free & (0ul - free);
+            int colour = C2D_COLOURS - 1 - (int)clz(lowest);
+            if (free != 0ul) {
+                own |= lowest;
+                mask[j] = there | lowest;
+            } else {
+                const int next = max(beyond[i], beyond[j]) + 1;
+                beyond[i] = next;
+                beyond[j] = next;
+                colour = C2D_COLOURS - 1 + next;
+                if (colour > C2D_COLOUR_MOST) {
+                    status[C2D_STALLED] = C2D_TOO_DENSE;
                 }
-                tint[k + c] = (ushort)colour;
             }
+            tint[k] = (ushort)colour;
         }
     }
     if (used) {

@@ -51,6 +51,7 @@ static void c2d_batch_sort(int count, __global const int *byTile, __global const
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int bin = item; bin <= C2D_BINS; bin += items) {
         int sum = 0;
+#pragma unroll 4
         for (int before = 0; before < bin; before++) {
             sum += bins[before];
         }
@@ -68,6 +69,7 @@ static void c2d_batch_sort(int count, __global const int *byTile, __global const
         const int bin = C2D_BIN(codes[e]);
         const int k = entries[e].x;
         int to = start[bin];
+#pragma unroll 4
         for (int o = start[bin]; o < start[bin + 1]; o++) {
             to += entries[o].x < k ? 1 : 0;
         }

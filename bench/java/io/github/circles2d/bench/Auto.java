@@ -89,11 +89,11 @@ public final class Auto {
                 if (round >= 0) {
                     took.forEach((strategy, ms) -> times.get(strategy).add(ms));
                 } else {
+                    // of those named, what takes several times as long will not be the best: the others need the time
+                    took.remove(IndexStrategy.auto());
                     double least =
                             took.values().stream().mapToDouble(ms -> ms).min().orElseThrow();
-                    // what takes several times as long will not be the best: the others need the time
-                    took.keySet()
-                            .removeIf(strategy -> strategy == IndexStrategy.auto() || took.get(strategy) < FAR * least);
+                    took.keySet().removeIf(strategy -> took.get(strategy) < FAR * least);
                     took.keySet().forEach(strategy -> worlds.remove(strategy).close());
                     times.keySet().removeAll(took.keySet());
                 }
