@@ -17,13 +17,17 @@ record AutoChoice(IndexStrategy strategy, int smallWorld) {
     private static final System.Logger LOG = System.getLogger("io.github.circles2d");
     private static final Map<Kind, AutoChoice> MADE = new ConcurrentHashMap<>();
 
-    /** Worlds that share a choice: `circles` is a power of two. */
+    /** Worlds that share a choice: `circles` is a power of two, or the most that one work-group does alone. */
     private record Kind(ComputeDevice device, Solver solver, CollisionStore store, int circles) {}
 
     /** The choice for a world, tried out unless one like it has been built before. */
     static AutoChoice of(ComputeDevice device, Solver solver, CollisionStore store, int capacity) {
         int circles = Math.max(Tuning.FIRST_CIRCLES, Math.min(Tuning.AUTO_TRIAL_CIRCLES, capacity));
         int size = Integer.highestOneBit(2 * circles - 1);
+        if (circles <= Tuning.ALONE_CIRCLES) {
+            // what is tried is done as the world will be
+            size = Math.min(size, Tuning.ALONE_CIRCLES);
+        }
         return MADE.computeIfAbsent(new Kind(device, solver, store, size), AutoChoice::tryOut);
     }
 
