@@ -1,8 +1,8 @@
 // Of stage batch: gives each contact its colour within its tile. Twin of host.Batch. The kernel is in batch_local.cl.
 //
-// The contacts of a tile are coloured class by class, those of a bucket in the order of its lists: buckets of one class, batch.cl, share
-// no circle. A contact gets the lowest colour that neither of its circles has yet in the tile. Neighbours in the order
-// are neighbours in the pile, which carries loads farther in a pass than an order by chance does.
+// The contacts of a tile are coloured class by class, those of a bucket in the order of its lists: buckets of one class,
+// batch.cl, share no circle. A contact gets the lowest colour that neither of its circles has yet in the tile. Neighbours in
+// the order are neighbours in the pile, which carries loads farther in a pass than an order by chance does.
 
 // Colours of which a circle has a mask. Whoever finds none of them free gets one beyond all that its circles have beyond
 // those, `beyond`.

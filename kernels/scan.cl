@@ -1,6 +1,6 @@
 // Turns counts into sums: each value becomes the sum of all up to it. Many values take two launches: parts, one a work-group; what
-// comes before a part added to it, for which each group sums up the parts before its own. Few take one launch of one work-group. Integers alone, so
-// that the size of a group leaves no trace.
+// comes before a part added to it, for which each group sums up the parts before its own. Few take one launch of one work-group.
+// Integers alone, so that the size of a group leaves no trace.
 
 #define C2D_PART_SUMS C2D_AT(int, partSums)
 #define C2D_VALUES ((__global int *)(heap + 32ul * values))

@@ -2,10 +2,12 @@
 // Solver.SMALL_STEPS. Twin of host.Solve.
 
 #define C2D_SOLVE                                                                                                      \
-    __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int2 *pairs, int capacity, __global const int *batch,           \
-        __global const int *tileStart, __global const int *tileColours, __global const uint *status
+    __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int2 *pairs, int capacity,               \
+        __global const int *batch, __global const int *tileStart, __global const int *tileColours,                       \
+        __global const uint *status
 #define C2D_SOLVE_HERE                                                                                                 \
-    C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_SOLVED, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS, status
+    C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_SOLVED, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS,       \
+        status
 
 // The contacts of a tile, a colour at a time, by one work-group. On a GPU, a work-item reads where its next contact is, and what is
 // remembered of it, before it solves this one: nobody else changes that.

@@ -83,7 +83,7 @@ final class Batch {
         }
     }
 
-    /** {@code c2d_batch_class}, of the bucket of a circle. */
+    /** {@code c2d_batch_code}, of the bucket of a circle its class. */
     private short classOf(int i) {
         int number = levels.levelOf(state.body[SmallState.BODY * i + SmallState.RADIUS]);
         int at = Levels.at(number);
