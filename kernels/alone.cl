@@ -63,7 +63,7 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums, i
 }
 
 // A tile as c2d_solve_tile does it, its circles in local memory.
-static void c2d_alone_tile(int tile, __local float4 *bodies, int circles, C2D_SOLVE) {
+static void c2d_alone_tile(int tile, __local float8 *bodies, int circles, C2D_SOLVE) {
     const int first = tileStart[C2D_PARTS * tile];
     const int end = tileStart[C2D_PARTS * (tile + 1)];
     const int colours = first < end ? tileColours[tile] : 0;
@@ -91,7 +91,7 @@ static void c2d_alone_tile(int tile, __local float4 *bodies, int circles, C2D_SO
 }
 
 // All substeps of a detection: integrate.cl and solve.cl.
-__kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float4 *bodies, int substeps) {
+__kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float8 *bodies, int substeps) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
