@@ -96,12 +96,12 @@ final class StageBytes {
             case "c2d_match_order" -> 8 * k + (4 + 4) * n;
             // from, listStart before; found, other, other before, memory before; memory, batch
             case "c2d_match" -> (4 + 4) * n + (8 + 4 + 4 + 8 + 8 + 4) * k;
-            // body, turn of the circles; batch, other; turn and part; tileStart read and written
-            case "c2d_batch_count" -> (32 + 4) * n + (4 + 4 + 8) * k + 8 * (parts + members);
-            // turns, body, members; turn and part, byTile; tileStart
-            case "c2d_batch_fill" -> (4 + 32 + 4) * n + (8 + 4) * k + 4 * (parts + members);
-            // byTile, owner, other, part; tint; masks cleared, read and written; shared out among the tilings
-            case "c2d_batch_colour" -> ((4 + 4 + 4 + 4 + 2) * k + 24 * n) / colourings;
+            // body, turn of the circles; batch, other; turn and part, code; tileStart read and written
+            case "c2d_batch_count" -> (32 + 4) * n + (4 + 4 + 8 + 2) * k + 8 * (parts + members);
+            // masks, turns read and written, body, members; turn and part, byTile, code read and written; tileStart
+            case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4 + 2 + 4) * k + 4 * (parts + members);
+            // byTile, code, owner, other; tint; as if all tiles fitted into local memory; shared out among the tilings
+            case "c2d_batch_colour" -> (4 + 4 + 4 + 4 + 2) * k / colourings;
             // byTile, tint, batch, other; pairs, index; tileStart, tileColours
             case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4) * k + 4 * parts + 4 * tiles;
             // body read and written, kicked

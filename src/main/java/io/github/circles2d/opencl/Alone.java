@@ -34,9 +34,13 @@ final class Alone {
         return 9 * circles / 4;
     }
 
-    /** Local memory that the kernels need at most. */
+    /** Local memory that the kernels need at most, which is what {@code c2d_alone_batch} does. */
     static long localBytes(int circles) {
-        return 8L * circles + 12L * contacts(circles) + 4L * (Tuning.GPU_ONE_GROUP + 2 * Batch.BINS + 3);
+        long bytes = 4L * Tuning.GPU_ONE_GROUP;
+        for (Object argument : Batch.local(contacts(circles), circles, false)) {
+            bytes += argument instanceof Kernel.Local memory ? memory.bytes() : 0;
+        }
+        return bytes;
     }
 
     void grid() {
