@@ -57,36 +57,8 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums, i
         c2d_batch_colour_tile(tile, tile > 0, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
     }
     for (int tile = 0; tile < tiles; tile++) {
-        c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_SOLVED, C2D_TILE_START,
-                             C2D_TILE_COLOURS, stalled, false, C2D_TURN_OF, sums);
-    }
-}
-
-// A tile as c2d_solve_tile does it, its circles in local memory.
-static void c2d_alone_tile(int tile, __local float8 *bodies, int circles, C2D_SOLVE) {
-    const int first = tileStart[C2D_PARTS * tile];
-    const int end = tileStart[C2D_PARTS * (tile + 1)];
-    const int colours = first < end ? tileColours[tile] : 0;
-    const c2d_numbers numbers = c2d_numbers_of(rule);
-    __global const int *index = batch + capacity;
-    __global const int *colourStart = batch + 2 * capacity + first;
-    int from = first;
-    for (int colour = 0; colour < colours; colour++) {
-        const int stop = colour + 1 < colours ? colourStart[colour + 1] : end;
-        for (int e = from + (int)get_local_id(0); e < stop; e += (int)get_local_size(0)) {
-            const int2 pair = pairs[e];
-            const int k = index[e];
-            float2 remembered = memory[k];
-            float8 a = c2d_body_of(bodies, pair.x, circles);
-            float8 b = c2d_body_of(bodies, pair.y, circles);
-            if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
-                c2d_body_to(bodies, pair.x, circles, a);
-                c2d_body_to(bodies, pair.y, circles, b);
-                memory[k] = remembered;
-            }
-        }
-        from = stop;
-        barrier(CLK_LOCAL_MEM_FENCE);
+        c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
+                             C2D_WHERE, C2D_TILE_START, C2D_TILE_COLOURS, stalled, true, 0, sums);
     }
 }
 
@@ -106,7 +78,7 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float8 *bodi
         }
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         for (int tile = 0; tile < (stalled ? 0 : tiles); tile++) {
-            c2d_alone_tile(tile, bodies, circles, C2D_SOLVE_HERE);
+            c2d_solve_bodies(tile, bodies, circles, 0, C2D_SOLVE_HERE);
         }
     }
     for (int i = item; i < circles; i += items) {

@@ -18,8 +18,10 @@
     listStart, other, contacts, levelCount, status, capacity, batch, byTile, tileStart, heads, mask, beyond, tint
 #define C2D_BATCH_COLOUR_HERE                                                                                          \
     C2D_LIST_START, C2D_OTHER, C2D_LIST_START[world.circles], C2D_LEVEL_TABLE[0].C2D_LEVELS, status, world.capacity,       \
-        C2D_BATCH, C2D_BY_TILE, C2D_TILE_START, C2D_SOLVED, C2D_MASK, C2D_BEYOND, C2D_TINT
+        C2D_BATCH, C2D_BY_TILE, C2D_TILE_START, C2D_HEADS, C2D_MASK, C2D_BEYOND, C2D_TINT
 #define C2D_BEYOND C2D_AT(int, from)
+// What is remembered is with the contacts, until they are in the order of solving.
+#define C2D_HEADS C2D_AT(int2, memory)
 
 static bool c2d_batch_holds(int tile, int k, int capacity, __global const int *batch) {
     return batch[2 * capacity + k] / C2D_PARTS == tile;

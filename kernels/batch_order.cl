@@ -6,23 +6,25 @@ static int2 c2d_members(int tile, int tiles, __global const int *tileStart) {
     return (int2)(tileStart[C2D_PARTS * (tiles + tile)] - contacts, tileStart[C2D_PARTS * (tiles + tile + 1)] - contacts);
 }
 
-// Whether a tile fits into the local memory of a work-group. Its `pairs` are then the turns of two circles in the tile, in one
-// int, and the turn of the contact in `byTile`.
+// Whether a tile fits into the local memory of a work-group. Its `solved` are then the turns of two circles in the tile, in one
+// int; else they are the contacts.
 #define C2D_TURN_BITS 15
-static bool c2d_fits(int circles, int contacts) {
-    return circles <= C2D_TILE_CIRCLES && contacts <= C2D_TILE_CONTACTS;
-}
+#define C2D_REMEMBERED C2D_AT(const float2, found)
+static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
 
-// A tile's contacts by colour, to `pairs` and to the second part of `batch`, by one work-group. `counts`: of so many colours,
-// then how many contacts are in order, then the lowest colour that comes later. `turn`: that of each circle in a tile that fits.
+// A tile's contacts by colour, with what is `remembered` of them, by one work-group. `counts`: of so many colours, then how many
+// contacts are in order, then the lowest colour that comes later. `turn`: that of each circle in a tile that `fits`, or null where
+// it is the place.
 static void c2d_batch_order_tile(int tile, __global const int *other, __global const int *byTile,
-                                 __global const ushort *tint, int capacity, __global int *batch, __global int2 *pairs,
+                                 __global const ushort *tint, int capacity, __global int *batch,
+                                 __global const float2 *remembered, __global float2 *memory, __global int *where,
                                  __global const int *tileStart, __global int *tileColours, bool stalled, bool fits,
                                  __global const int *turn, __local int *counts) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const int first = tileStart[C2D_PARTS * tile];
     const int end = stalled ? first : tileStart[C2D_PARTS * (tile + 1)];
+    __global int *solved = batch + capacity;
     __global int *colourStart = batch + 2 * capacity + first;
     __local int *sorted = counts + C2D_COLOURS;
     __local int *later = sorted + 1;
@@ -64,10 +66,14 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global c
             const int colour = (int)tint[k] - lowest;
             if (colour >= 0 && colour < C2D_COLOURS) {
                 const int to = atomic_inc(&counts[colour]);
-                const int i = batch[k];
-                const int j = other[k];
-                pairs[to] = fits ? (int2)(turn[i] | turn[j] << C2D_TURN_BITS, e - first) : (int2)(i, j);
-                batch[capacity + to] = k;
+                solved[to] = k;
+                if (fits) {
+                    const int i = batch[k];
+                    const int j = other[k];
+                    solved[to] = turn == 0 ? i | j << C2D_TURN_BITS : turn[i] | turn[j] << C2D_TURN_BITS;
+                }
+                memory[to] = remembered[k];
+                where[k] = to;
             }
         }
         done = *sorted;
@@ -84,12 +90,11 @@ __kernel void c2d_batch_order(C2D_WORLD, int firstTiles, int tiles, __local int 
     const int tile = (int)get_group_id(0);
     const bool stalled = status[C2D_STALLED] != 0u;
     const int2 own = !stalled && tile < firstTiles ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
-    const int contacts = C2D_TILE_START[C2D_PARTS * (tile + 1)] - C2D_TILE_START[C2D_PARTS * tile];
-    const bool fits = own.x < own.y && c2d_fits(own.y - own.x, contacts);
+    const bool fits = own.x < own.y && c2d_fits(own.y - own.x);
     for (int m = own.x + (int)get_local_id(0); m < (fits ? own.y : 0); m += (int)get_local_size(0)) {
         C2D_TURN_OF[C2D_MEMBERS[m]] = m - own.x;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_SOLVED, C2D_TILE_START,
-                         C2D_TILE_COLOURS, stalled, fits, C2D_TURN_OF, counts);
+    c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
+                         C2D_WHERE, C2D_TILE_START, C2D_TILE_COLOURS, stalled, fits, C2D_TURN_OF, counts);
 }

@@ -8,7 +8,7 @@
     __global const float8 *body, __global const int8 *levels, __global const float *rule, __global const uint *status,   \
         int circles, __global int *listStart, __global int *filled, __global int *other, __global int2 *found
 #define C2D_FILLED C2D_AT(int, kicked)
-#define C2D_FOUND C2D_AT(int2, memory)
+#define C2D_FOUND C2D_AT(int2, found)
 #define C2D_FIND_HERE                                                                                                  \
     C2D_BODY, C2D_LEVEL_TABLE, C2D_RULE, status, world.circles, C2D_LIST_START, C2D_FILLED, C2D_OTHER, C2D_FOUND
 

@@ -40,15 +40,14 @@ static int c2d_remembered(int i, int j, __global const int *listStartBefore, __g
     return low < end && otherBefore[low] == j ? low : -1;
 }
 
-// `memory` holds what find has found of each contact, and then what is remembered of it; `batch` begins with the circle in
+// `found` holds what find has found of each contact, and then what is remembered of it; `batch` begins with the circle in
 // whose list it is.
 __kernel void c2d_match(C2D_WORLD) {
     __global const int *from = C2D_FROM;
     __global const int *listStart = C2D_LIST_START;
     __global const int *listStartBefore = C2D_AT(const int, listStartBefore);
     __global const int *otherBefore = C2D_AT(const int, otherBefore);
-    __global const int2 *memoryBefore = C2D_AT(const int2, memoryBefore);
-    __global int2 *memory = C2D_FOUND;
+    __global int2 *found = C2D_FOUND;
     if (status[C2D_STALLED] != 0u) {
         return;
     }
@@ -57,14 +56,14 @@ __kernel void c2d_match(C2D_WORLD) {
         status[C2D_UPDATES] += 1u;
     }
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        const int lists = memory[k].y;
+        const int lists = found[k].y;
         const int i = from[lists];
         const int j = from[C2D_OTHER[k]];
         int old = c2d_remembered(i, j, listStartBefore, otherBefore);
         if (old < 0) {
             old = c2d_remembered(j, i, listStartBefore, otherBefore);
         }
-        memory[k] = old < 0 ? (int2)(0, 0) : memoryBefore[old];
+        found[k] = old < 0 ? (int2)(0, 0) : C2D_AT(const int2, memory)[C2D_WHERE[old]];
         C2D_BATCH[k] = lists;
     }
 }

@@ -7,8 +7,8 @@
 //
 // Every contact is in the list of one of its circles: of the one at the wider level; on one level, of the one in the lower
 // cell, by row and then by column; in one cell, of the one at the lower place. The list of a circle is
-// `other[listStart[place]]` up to `other[listStart[place + 1]]`, the places of the other circles, ascending; with each goes
-// `memory`, the impulse to come and the last one (-1 after a bounce).
+// `other[listStart[place]]` up to `other[listStart[place + 1]]`, the places of the other circles, ascending. `memory`, the impulse
+// to come and the last one (-1 after a bounce), is in the order of solving, and `where` says of each contact where in it.
 
 // All of that is in one buffer, for a launch takes longer with every buffer that it gets: a kernel gets the `heap`, the status, and
 // a c2d_world, which says where the parts of the heap begin, in units of 32 bytes. Twin: opencl.Heap. `Before`: those of the
@@ -23,7 +23,8 @@ typedef struct {
     uint other;
     uint otherBefore;
     uint memory;
-    uint memoryBefore;
+    uint found;
+    uint where;
     uint walls;
     uint kicked;
     uint from;
@@ -50,6 +51,7 @@ typedef struct {
 #define C2D_LIST_START C2D_AT(int, listStart)
 #define C2D_OTHER C2D_AT(int, other)
 #define C2D_MEMORY C2D_AT(float2, memory)
+#define C2D_WHERE C2D_AT(int, where)
 #define C2D_WALLS C2D_AT(float2, walls)
 #define C2D_KICKED C2D_AT(float2, kicked)
 // By place: the place at the detection before.
@@ -65,7 +67,6 @@ typedef struct {
 #define C2D_BY_TILE C2D_AT(int, otherBefore)
 #define C2D_MEMBERS C2D_AT(int, idBefore)
 #define C2D_TINT C2D_AT(ushort, listStartBefore)
-#define C2D_SOLVED C2D_AT(int2, memoryBefore)
 
 // The numbers of a substep, in `rule`.
 #define C2D_TIME rule[0]

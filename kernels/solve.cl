@@ -2,14 +2,15 @@
 // Solver.SMALL_STEPS. Twin of host.Solve.
 
 #define C2D_SOLVE                                                                                                      \
-    __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int2 *pairs, int capacity,               \
+    __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int *other, int capacity,                \
         __global const int *batch, __global const int *tileStart, __global const int *tileColours,                       \
         __global const uint *status
+#define C2D_SOLVE_ALL                                                                                                  \
+    body, id, kicked, walls, rule, memory, other, capacity, batch, tileStart, tileColours, status
 #define C2D_SOLVE_HERE                                                                                                 \
-    C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_SOLVED, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS,       \
-        status
+    C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS, status
 
-// The contacts of a tile, a colour at a time, by one work-group. On a GPU, a work-item reads where its next contact is, and what is
+// The contacts of a tile, a colour at a time, by one work-group. On a GPU, a work-item reads which its next contact is, and what is
 // remembered of it, before it solves this one: nobody else changes that.
 static void c2d_solve_tile(int tile, C2D_SOLVE) {
     const int item = (int)get_local_id(0);
@@ -18,15 +19,13 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
     const int end = tileStart[C2D_PARTS * (tile + 1)];
     const int colours = status[C2D_STALLED] != 0u || first == end ? 0 : tileColours[tile];
     const c2d_numbers numbers = c2d_numbers_of(rule);
-    __global const int *index = batch + capacity;
+    __global const int *solved = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
     int2 nextPair = (int2)(0, 0);
-    int nextIndex = 0;
     float2 nextMemory = (float2)(0.0f, 0.0f);
     if (C2D_GPU && colours > 0 && first + item < end) {
-        nextPair = pairs[first + item];
-        nextIndex = index[first + item];
-        nextMemory = memory[nextIndex];
+        nextPair = (int2)(batch[solved[first + item]], other[solved[first + item]]);
+        nextMemory = memory[first + item];
     }
     int stop = colours > 1 ? colourStart[1] : end;
     for (int colour = 0, from = first; colour < colours; colour++) {
@@ -34,14 +33,12 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
         for (; from < stop; from += items) {
             const int e = from + item;
             const bool own = e < stop;
-            const int2 pair = C2D_GPU || !own ? nextPair : pairs[e];
-            const int k = C2D_GPU || !own ? nextIndex : index[e];
-            float2 remembered = C2D_GPU || !own ? nextMemory : memory[k];
+            const int2 pair = C2D_GPU || !own ? nextPair : (int2)(batch[solved[e]], other[solved[e]]);
+            float2 remembered = C2D_GPU || !own ? nextMemory : memory[e];
             const int next = min(from + items, stop) + item;
             if (C2D_GPU && next < nextStop) {
-                nextPair = pairs[next];
-                nextIndex = index[next];
-                nextMemory = memory[nextIndex];
+                nextPair = (int2)(batch[solved[next]], other[solved[next]]);
+                nextMemory = memory[next];
             }
             if (own) {
                 float8 a = body[pair.x];
@@ -49,7 +46,7 @@ static void c2d_solve_tile(int tile, C2D_SOLVE) {
                 if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
                     body[pair.x] = a;
                     body[pair.y] = b;
-                    memory[k] = remembered;
+                    memory[e] = remembered;
                 }
             }
         }
@@ -80,50 +77,45 @@ static float8 c2d_body_of(__local const float8 *bodies, int m, int room) { retur
 static void c2d_body_to(__local float8 *bodies, int m, int room, float8 body) { bodies[m] = body; }
 #endif
 
-// A tile that fits into local memory: the `bodies` of its circles and their `places`; what is `remembered` of its contacts, and
-// whether that has `changed`. Each is read and written once, those of a row together, whatever the colours are.
-static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global const int *members,
-                            __global const int *byTile, __local float8 *bodies, __local int *places,
-                            __local float2 *remembered, __local uchar *changed) {
+// The same of a tile whose `bodies`, with `room` for so many, are in local memory. `places`: those of its circles, or null where
+// they are the turns.
+static void c2d_solve_bodies(int tile, __local float8 *bodies, int room, __local const int *places, C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const int first = tileStart[C2D_PARTS * tile];
     const int end = tileStart[C2D_PARTS * (tile + 1)];
     const int colours = first < end ? tileColours[tile] : 0;
     const c2d_numbers numbers = c2d_numbers_of(rule);
+    __global const int *solved = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
-    for (int e = first + item; e < end; e += items) {
-        remembered[e - first] = memory[byTile[e]];
-        changed[e - first] = 0;
+    int nextPair = 0;
+    float2 nextMemory = (float2)(0.0f, 0.0f);
+    if (C2D_GPU && first + item < end) {
+        nextPair = solved[first + item];
+        nextMemory = memory[first + item];
     }
-    for (int m = item; m < own.y - own.x; m += items) {
-        const int place = members[own.x + m];
-        c2d_body_to(bodies, m, C2D_TILE_CIRCLES, c2d_integrated(body[place], place, moves, true, id, kicked, walls, rule));
-        places[m] = place;
-    }
-    int2 nextPair = C2D_GPU && first + item < end ? pairs[first + item] : (int2)(0, 0);
     int stop = colours > 1 ? colourStart[1] : end;
-    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     for (int colour = 0, from = first; colour < colours; colour++) {
         const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
         for (; from < stop; from += items) {
-            const bool visits = from + item < stop;
-            const int2 pair = C2D_GPU || !visits ? nextPair : pairs[from + item];
+            const int e = from + item;
+            const bool own = e < stop;
+            const int pair = C2D_GPU || !own ? nextPair : solved[e];
+            float2 remembered = C2D_GPU || !own ? nextMemory : memory[e];
             const int next = min(from + items, stop) + item;
             if (C2D_GPU && next < nextStop) {
-                nextPair = pairs[next];
+                nextPair = solved[next];
+                nextMemory = memory[next];
             }
-            if (visits) {
-                const int i = pair.x & ((1 << C2D_TURN_BITS) - 1);
-                const int j = pair.x >> C2D_TURN_BITS;
-                float8 a = c2d_body_of(bodies, i, C2D_TILE_CIRCLES);
-                float8 b = c2d_body_of(bodies, j, C2D_TILE_CIRCLES);
-                float2 now = remembered[pair.y];
-                if (c2d_visit(&a, &b, &now, places[i], places[j], id, kicked, numbers)) {
-                    c2d_body_to(bodies, i, C2D_TILE_CIRCLES, a);
-                    c2d_body_to(bodies, j, C2D_TILE_CIRCLES, b);
-                    remembered[pair.y] = now;
-                    changed[pair.y] = 1;
+            if (own) {
+                const int i = pair & ((1 << C2D_TURN_BITS) - 1);
+                const int j = pair >> C2D_TURN_BITS;
+                float8 a = c2d_body_of(bodies, i, room);
+                float8 b = c2d_body_of(bodies, j, room);
+                if (c2d_visit(&a, &b, &remembered, places == 0 ? i : places[i], places == 0 ? j : places[j], id, kicked, numbers)) {
+                    c2d_body_to(bodies, i, room, a);
+                    c2d_body_to(bodies, j, room, b);
+                    memory[e] = remembered;
                 }
             }
         }
@@ -131,13 +123,23 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
         stop = nextStop;
         barrier(CLK_LOCAL_MEM_FENCE);
     }
+}
+
+// A tile that fits into local memory: the circles' own share, then its contacts. Bodies are read and written once, whatever the
+// colours are.
+static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global const int *members, __local float8 *bodies,
+                            __local int *places) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
+    for (int m = item; m < own.y - own.x; m += items) {
+        const int place = members[own.x + m];
+        c2d_body_to(bodies, m, C2D_TILE_CIRCLES, c2d_integrated(body[place], place, moves, true, id, kicked, walls, rule));
+        places[m] = place;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    c2d_solve_bodies(tile, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_ALL);
     for (int m = item; m < own.y - own.x; m += items) {
         body[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
-    }
-    for (int e = first + item; e < end; e += items) {
-        if (changed[e - first] != 0) {
-            memory[byTile[e]] = remembered[e - first];
-        }
     }
 }
 
@@ -147,15 +149,13 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
 #define C2D_MOVE_AND_KICK 2
 
 // A tiling, one work-group a tile. The first one begins with the circles' own share.
-__kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float8 *bodies, __local int *places,
-                        __local float2 *remembered, __local uchar *changed) {
+__kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float8 *bodies, __local int *places) {
     const int tile = firstTile + (int)get_group_id(0);
     const bool starts = begins != C2D_NOTHING && status[C2D_STALLED] == 0u;
     const bool moves = begins == C2D_MOVE_AND_KICK;
     const int2 own = starts ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
-    const int contacts = C2D_TILE_START[C2D_PARTS * (tile + 1)] - C2D_TILE_START[C2D_PARTS * tile];
-    if (starts && c2d_fits(own.y - own.x, contacts)) {
-        c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, C2D_MEMBERS, C2D_BY_TILE, bodies, places, remembered, changed);
+    if (starts && c2d_fits(own.y - own.x)) {
+        c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, C2D_MEMBERS, bodies, places);
         return;
     }
     for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {

@@ -13,7 +13,7 @@ import org.jocl.Pointer;
 
 /**
  * What small steps keep on the device, all in one buffer: {@code c2d_world} of {@code kernels/small.cl}, whose order the parts have
- * here. Of the first five there are two of each, by turns: a detection writes the ones while it reads the others, those of the
+ * here. Of the first four there are two of each, by turns: a detection writes the ones while it reads the others, those of the
  * detection before. While it sorts, it keeps what it does not need later in those that it fills last; once it has what it needs of the
  * detection before, the parts of that one are free, and hold the order in which contacts are solved until the next.
  */
@@ -27,21 +27,23 @@ final class Heap {
     private static final int ID = 1;
     static final int LIST_START = 2;
     private static final int OTHER = 3;
-    private static final int MEMORY = 4;
     /** Parts that there are two of, which come by turns: part p is at 2 p and 2 p + 1. */
-    private static final int TURNS = 5;
+    private static final int TURNS = 4;
 
-    private static final int WALLS = 5;
-    private static final int KICKED = 6;
-    private static final int FROM = 7;
-    static final int BUCKET_START = 8;
-    private static final int PART_SUMS = 9;
-    private static final int LEVELS = 10;
-    private static final int TILINGS = 11;
-    static final int TILE_START = 12;
-    private static final int TILE_COLOURS = 13;
-    private static final int RULE = 14;
-    private static final int PARTS = 15;
+    private static final int MEMORY = 4;
+    private static final int FOUND = 5;
+    private static final int WHERE = 6;
+    private static final int WALLS = 7;
+    private static final int KICKED = 8;
+    private static final int FROM = 9;
+    static final int BUCKET_START = 10;
+    private static final int PART_SUMS = 11;
+    private static final int LEVELS = 12;
+    private static final int TILINGS = 13;
+    static final int TILE_START = 14;
+    private static final int TILE_COLOURS = 15;
+    private static final int RULE = 16;
+    private static final int PARTS = 17;
 
     /** What kernels count places in the heap in, bytes. */
     private static final int UNIT = 32;
@@ -122,6 +124,8 @@ final class Heap {
         long contacts = least + 7 & ~7;
         want(wanted, OTHER, 4 * contacts);
         want(wanted, MEMORY, 8 * contacts);
+        want(wanted, FOUND, 8 * contacts);
+        want(wanted, WHERE, 4 * contacts);
         // as the other turn's `batch`, three ints a contact, and `tint`, a short
         want(wanted, BODY, 12 * contacts);
         want(wanted, LIST_START, 2 * contacts);

@@ -133,9 +133,7 @@ final class SmallKernels {
                 "C2D_SCAN",
                 Tuning.SCAN,
                 "C2D_TILE_CIRCLES",
-                Tuning.TILE_CIRCLES,
-                "C2D_TILE_CONTACTS",
-                Tuning.TILE_CONTACTS);
+                Tuning.TILE_CIRCLES);
     }
 
     void bind(SmallWorld world) {

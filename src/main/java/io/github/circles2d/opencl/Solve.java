@@ -45,16 +45,13 @@ final class Solve {
         Tiles tiles = world.tiles();
         boolean local = begins != NOTHING;
         int circles = local ? Tuning.TILE_CIRCLES : 1;
-        int contacts = local ? Tuning.TILE_CONTACTS : 1;
         kernel.arguments(
                         world.known(),
                         tiles.tiles,
                         tiles.first(tiling),
                         begins,
                         new Kernel.Local(32L * circles),
-                        new Kernel.Local(4L * circles),
-                        new Kernel.Local(8L * contacts),
-                        new Kernel.Local(contacts))
+                        new Kernel.Local(4L * circles))
                 .groups(tiles.count(tiling), local ? world.firstTileGroup() : world.tileGroup());
     }
 
