@@ -141,7 +141,26 @@ static void c2d_batch_fill_at(int k, int capacity, __global int *batch, __global
     batch[capacity + k] = tint[k];
 }
 
-__kernel void c2d_batch_fill(C2D_WORLD, int tiles) {
+// The circles of a tile of the first tiling, from .x to .y of `members`.
+static int2 c2d_members(int tile, int tiles, __global const int *tileStart) {
+    const int contacts = tileStart[C2D_PARTS * tiles];
+    return (int2)(tileStart[C2D_PARTS * (tiles + tile)] - contacts, tileStart[C2D_PARTS * (tiles + tile + 1)] - contacts);
+}
+
+// Lists a tile if there is anything in it; whoever comes first, for tiles of one tiling have nothing to do with each other.
+static void c2d_batch_live(int tile, int tiles, int tilings, __global const int8 *table, __global const int *tileStart,
+                           __global int *live) {
+    const int2 own = tile < table[1].C2D_FIRST ? c2d_members(tile, tiles, tileStart) : (int2)(0, 0);
+    if (own.x < own.y || tileStart[C2D_PARTS * tile] < tileStart[C2D_PARTS * (tile + 1)]) {
+        int tiling = 0;
+        while (tiling + 1 < tilings && tile >= table[tiling + 1].C2D_FIRST) {
+            tiling++;
+        }
+        live[C2D_TILINGS + table[tiling].C2D_FIRST + atomic_inc(&live[tiling])] = tile;
+    }
+}
+
+__kernel void c2d_batch_fill(C2D_WORLD, int tiles, int tilings) {
     const int8 all = C2D_LEVEL_TABLE[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
@@ -154,5 +173,8 @@ __kernel void c2d_batch_fill(C2D_WORLD, int tiles) {
         C2D_MEMBERS[C2D_TILE_START[part] - contacts + C2D_TURN_OF[p]] = p;
         C2D_TURN_OF[p] = 0;
         C2D_MASK[p] = 0ul;
+    }
+    for (int tile = (int)get_global_id(0); tile < (C2D_GPU && !stalled ? tiles : 0); tile += (int)get_global_size(0)) {
+        c2d_batch_live(tile, tiles, tilings, C2D_TILING_TABLE, C2D_TILE_START, C2D_LIVE);
     }
 }

@@ -168,11 +168,21 @@ static void c2d_batch_colour_tile(int tile, bool clears, bool stalled, C2D_BATCH
     }
 }
 
-// A tiling, one work-group a tile.
-__kernel void c2d_batch_colour(C2D_WORLD, int firstTile, int most, int slots, __local ulong *masks, __local int *places,
+// A tiling, one work-group a tile, on a GPU that has anything in it, going round where these are more.
+__kernel void c2d_batch_colour(C2D_WORLD, int tiling, int most, int slots, __local ulong *masks, __local int *places,
                                __local int2 *entries, __local ushort *codes, __local ushort *starts, __local int *bins,
                                __local int *rows) {
-    const int tile = firstTile + (int)get_group_id(0);
     const bool direct = false;
-    c2d_batch_colour_tile(tile, firstTile > 0, status[C2D_STALLED] != 0u, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
+    const bool stalled = status[C2D_STALLED] != 0u;
+    const int firstTile = C2D_TILING_TABLE[tiling].C2D_FIRST;
+    const int group = (int)get_group_id(0);
+#if C2D_GPU
+    for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
+        const int tile = C2D_LIVE[C2D_TILINGS + firstTile + turn];
+        c2d_batch_colour_tile(tile, tiling > 0, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+#else
+    c2d_batch_colour_tile(firstTile + group, tiling > 0, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
+#endif
 }

@@ -1,11 +1,5 @@
 // Of stage batch: puts the contacts of each tile in the order of their colours, in which they are solved. Twin of host.Batch.
 
-// The circles of a tile of the first tiling, from .x to .y of `members`.
-static int2 c2d_members(int tile, int tiles, __global const int *tileStart) {
-    const int contacts = tileStart[C2D_PARTS * tiles];
-    return (int2)(tileStart[C2D_PARTS * (tiles + tile)] - contacts, tileStart[C2D_PARTS * (tiles + tile + 1)] - contacts);
-}
-
 // Whether a tile fits into the local memory of a work-group. Its `solved` are then the turns of two circles in the tile, in one
 // int; else they are the contacts.
 #define C2D_TURN_BITS 15
@@ -85,11 +79,30 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global c
     }
 }
 
-// One work-group a tile.
-__kernel void c2d_batch_order(C2D_WORLD, int firstTiles, int tiles, __local int *counts) {
-    const int tile = (int)get_group_id(0);
+// The tile that has something in it and comes at a turn, of all tilings, or -1.
+static int c2d_live_tile(int turn, int tilings, __global const int8 *table, __global const int *live) {
+    for (int tiling = 0; tiling < tilings; tiling++) {
+        if (turn < live[tiling]) {
+            return live[C2D_TILINGS + table[tiling].C2D_FIRST + turn];
+        }
+        turn -= live[tiling];
+    }
+    return -1;
+}
+
+// What is asked for of the next step: how many tiles of one tiling have anything in them.
+static uint c2d_live_most(int tilings, __global const int *live) {
+    int most = 0;
+    for (int tiling = 0; tiling < tilings; tiling++) {
+        most = max(most, live[tiling]);
+    }
+    return (uint)most;
+}
+
+static void c2d_batch_order_any(int tile, int tiles, C2D_WORLD, __local int *counts) {
     const bool stalled = status[C2D_STALLED] != 0u;
-    const int2 own = !stalled && tile < firstTiles ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
+    const bool isFirst = !stalled && tile < C2D_TILING_TABLE[1].C2D_FIRST;
+    const int2 own = isFirst ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
     const bool fits = own.x < own.y && c2d_fits(own.y - own.x);
     for (int m = own.x + (int)get_local_id(0); m < (fits ? own.y : 0); m += (int)get_local_size(0)) {
         C2D_TURN_OF[C2D_MEMBERS[m]] = m - own.x;
@@ -97,4 +110,22 @@ __kernel void c2d_batch_order(C2D_WORLD, int firstTiles, int tiles, __local int 
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
                          C2D_WHERE, C2D_TILE_START, C2D_TILE_COLOURS, stalled, fits, C2D_TURN_OF, counts);
+}
+
+// All tilings, work-groups as for batch_local.cl.
+__kernel void c2d_batch_order(C2D_WORLD, int tiles, int tilings, __local int *counts) {
+    const int group = (int)get_group_id(0);
+#if C2D_GPU
+    if (get_global_id(0) == 0 && status[C2D_STALLED] == 0u) {
+        status[C2D_TILES] = c2d_live_most(tilings, C2D_LIVE);
+    }
+    int turn = group;
+    for (int tile = c2d_live_tile(turn, tilings, C2D_TILING_TABLE, C2D_LIVE); tile >= 0;
+         tile = c2d_live_tile(turn, tilings, C2D_TILING_TABLE, C2D_LIVE)) {
+        c2d_batch_order_any(tile, tiles, heap, status, world, counts);
+        turn += (int)get_num_groups(0);
+    }
+#else
+    c2d_batch_order_any(group, tiles, heap, status, world, counts);
+#endif
 }

@@ -25,8 +25,12 @@ static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *ti
 
 // The first launch of a detection.
 __kernel void c2d_grid_clear(C2D_WORLD, int cells, int parts) {
+    const int k = (int)get_global_id(0);
     if (status[C2D_STALLED] == 0u) {
-        c2d_grid_clear_at((int)get_global_id(0), C2D_BUCKET_START, C2D_TILE_START, status, cells, parts);
+        c2d_grid_clear_at(k, C2D_BUCKET_START, C2D_TILE_START, status, cells, parts);
+        if (C2D_GPU && k < C2D_TILINGS) {
+            C2D_LIVE[k] = 0;
+        }
     }
 }
 

@@ -34,6 +34,7 @@ typedef struct {
     uint tilings;
     uint tileStart;
     uint tileColours;
+    uint live;
     uint rule;
     int circles;
     // Contacts that there is room for.
@@ -61,6 +62,11 @@ typedef struct {
 #define C2D_TILING_TABLE C2D_AT(const int8, tilings)
 #define C2D_TILE_START C2D_AT(int, tileStart)
 #define C2D_TILE_COLOURS C2D_AT(int, tileColours)
+// Of each tiling, of which there may be so many, how many tiles have anything in them; then, from its first tile on, they. For GPUs,
+// where a work-group costs even if it has nothing to do. Processors go through all tiles: their threads take so many groups at a
+// time, be there anything to do or not.
+#define C2D_LIVE C2D_AT(int, live)
+#define C2D_TILINGS 64
 #define C2D_RULE C2D_AT(const float, rule)
 // Once a detection has what it needs of the one before, the parts of that one hold the order of solving: kernels/batch.cl.
 #define C2D_BATCH C2D_AT(int, bodyBefore)

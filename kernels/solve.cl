@@ -148,9 +148,7 @@ static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global 
 #define C2D_KICK 1
 #define C2D_MOVE_AND_KICK 2
 
-// A tiling, one work-group a tile. The first one begins with the circles' own share.
-__kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local float8 *bodies, __local int *places) {
-    const int tile = firstTile + (int)get_group_id(0);
+static void c2d_solve_any(int tile, int tiles, int begins, C2D_WORLD, __local float8 *bodies, __local int *places) {
     const bool starts = begins != C2D_NOTHING && status[C2D_STALLED] == 0u;
     const bool moves = begins == C2D_MOVE_AND_KICK;
     const int2 own = starts ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
@@ -164,6 +162,20 @@ __kernel void c2d_solve(C2D_WORLD, int tiles, int firstTile, int begins, __local
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_solve_tile(tile, C2D_SOLVE_HERE);
+}
+
+// A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share.
+__kernel void c2d_solve(C2D_WORLD, int tiles, int tiling, int begins, __local float8 *bodies, __local int *places) {
+    const int firstTile = C2D_TILING_TABLE[tiling].C2D_FIRST;
+    const int group = (int)get_group_id(0);
+#if C2D_GPU
+    for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
+        c2d_solve_any(C2D_LIVE[C2D_TILINGS + firstTile + turn], tiles, begins, heap, status, world, bodies, places);
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+#else
+    c2d_solve_any(firstTile + group, tiles, begins, heap, status, world, bodies, places);
+#endif
 }
 
 static float2 c2d_rescaled(float come, float last, float ratio) {

@@ -38,7 +38,7 @@ final class Batch {
         Tiles tiles = world.tiles();
         count.arguments(known, tiles.tiles).range(world.contacts() / 2 + 1, world.group());
         scan.bind(world, Heap.TILE_START, tiles.parts() + 1, false);
-        fill.arguments(known, tiles.tiles).range(world.contacts(), world.group());
+        fill.arguments(known, tiles.tiles, tiles.tilings).range(world.contacts(), world.group());
         tilings = tiles.tilings;
         for (int tiling = 0; tiling < tilings; tiling++) {
             if (tiling == colours.size()) {
@@ -48,10 +48,10 @@ final class Batch {
             int most = !world.asOnGpu() ? 0 : first ? Tuning.TILE_CONTACTS : Tuning.OTHER_TILE_CONTACTS;
             int circles = Integer.highestOneBit(first ? most : 2 * most);
             colours.get(tiling)
-                    .arguments(known, tiles.first(tiling), local(most, circles, true))
+                    .arguments(known, tiling, local(most, circles, true))
                     .groups(tiles.count(tiling), first ? world.firstTileGroup() : world.tileGroup());
         }
-        order.arguments(known, tiles.first(1), tiles.tiles, new Kernel.Local(COUNTS))
+        order.arguments(known, tiles.tiles, tilings, new Kernel.Local(COUNTS))
                 .groups(tiles.tiles, world.firstTileGroup());
     }
 
@@ -70,13 +70,14 @@ final class Batch {
         };
     }
 
-    void run() {
+    /** @param groups for so many tiles of a tiling */
+    void run(int groups) {
         count.launch();
         scan.run();
         fill.launch();
         for (int tiling = 0; tiling < tilings; tiling++) {
-            colours.get(tiling).launch();
+            colours.get(tiling).launch(groups);
         }
-        order.launch();
+        order.launch((long) groups * tilings);
     }
 }

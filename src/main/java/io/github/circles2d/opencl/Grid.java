@@ -1,5 +1,7 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Tiles;
+
 /** Host code of {@code kernels/grid.cl}: sorts the circles by bucket, and by number within each. */
 final class Grid {
     private final Kernel clear;
@@ -20,7 +22,8 @@ final class Grid {
         Object[] known = world.known();
         int cells = world.levels().cells;
         int parts = world.tiles().parts();
-        clear.arguments(known, cells, parts).range(Math.max(cells, parts) + 1L, world.group());
+        clear.arguments(known, cells, parts)
+                .range(Math.max(Math.max(cells, parts) + 1L, Tiles.MOST_TILINGS), world.group());
         bin.arguments(known).range(world.circles(), world.group());
         scan.bind(world, Heap.BUCKET_START, cells + 1, false);
         scatter.arguments(known).range(world.circles(), world.group());

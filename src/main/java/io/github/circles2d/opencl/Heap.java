@@ -42,8 +42,9 @@ final class Heap {
     private static final int TILINGS = 13;
     static final int TILE_START = 14;
     private static final int TILE_COLOURS = 15;
-    private static final int RULE = 16;
-    private static final int PARTS = 17;
+    private static final int LIVE = 16;
+    private static final int RULE = 17;
+    private static final int PARTS = 18;
 
     /** What kernels count places in the heap in, bytes. */
     private static final int UNIT = 32;
@@ -94,6 +95,7 @@ final class Heap {
             want(wanted, TILINGS, 4L * tiles.table.length);
             want(wanted, TILE_START, 4L * (tiles.parts() + 1));
             want(wanted, TILE_COLOURS, 4L * tiles.tiles);
+            want(wanted, LIVE, 4L * (Tiles.MOST_TILINGS + tiles.tiles));
         }
         long contacts = (long) Tuning.CONTACTS_PER_CIRCLE * levels[0].circles + Tuning.FIRST_CONTACTS;
         if (contacts > capacity) {

@@ -147,8 +147,17 @@ final class Kernel implements AutoCloseable {
     }
 
     void launch() {
-        for (offset[0] = 0; offset[0] < items; offset[0] += itemsPerLaunch) {
-            global[0] = Math.min(itemsPerLaunch, items - offset[0]);
+        launch(items, itemsPerLaunch);
+    }
+
+    /** Launches at most so many groups, of a kernel that goes round for the others. */
+    void launch(long groups) {
+        launch(Math.min(items, groups * local[0]), itemsPerLaunch);
+    }
+
+    private void launch(long count, long perLaunch) {
+        for (offset[0] = 0; offset[0] < count; offset[0] += perLaunch) {
+            global[0] = Math.min(perLaunch, count - offset[0]);
             int status = session.api.enqueueNDRangeKernel(session.queue, kernel, offset, global, local);
             if (status != CL.CL_SUCCESS) {
                 Cl.check("clEnqueueNDRangeKernel(" + name + ")", status);

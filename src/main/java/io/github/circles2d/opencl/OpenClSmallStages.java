@@ -166,7 +166,7 @@ final class OpenClSmallStages implements SmallStages {
             now.grid.run();
             now.find.run(horizon, fall);
             now.match.run();
-            now.batch.run();
+            now.batch.run(groups());
         }
         queued++;
     }
@@ -192,8 +192,19 @@ final class OpenClSmallStages implements SmallStages {
         if (now.isAlone) {
             now.alone.solve(count);
         } else {
-            now.solve.run(count);
+            now.solve.run(count, groups());
         }
+    }
+
+    /**
+     * Groups of a launch for the tiles of a tiling that have anything in them: their number is not known yet, but seldom far from that of
+     * the step before.
+     */
+    private int groups() {
+        int before = state.tiles();
+        return before == 0 || !session.device.asOnGpu(config)
+                ? Integer.MAX_VALUE
+                : before + before / 8 + Tuning.MORE_TILES;
     }
 
     @Override

@@ -48,19 +48,23 @@ final class Solve {
         kernel.arguments(
                         world.known(),
                         tiles.tiles,
-                        tiles.first(tiling),
+                        tiling,
                         begins,
                         new Kernel.Local(32L * circles),
                         new Kernel.Local(4L * circles))
                 .groups(tiles.count(tiling), local ? world.firstTileGroup() : world.tileGroup());
     }
 
-    /** Substeps, as {@link io.github.circles2d.pipeline.SmallStages#solve} says. */
-    void run(int substeps) {
+    /**
+     * Substeps, as {@link io.github.circles2d.pipeline.SmallStages#solve} says.
+     *
+     * @param groups for so many tiles of a tiling
+     */
+    void run(int substeps, int groups) {
         for (int substep = 0; substep < substeps; substep++) {
-            (substep > 0 ? moveAndFirst : kickAndFirst).launch();
+            (substep > 0 ? moveAndFirst : kickAndFirst).launch(groups);
             for (int k = 0; k < count; k++) {
-                others.get(k).launch();
+                others.get(k).launch(groups);
             }
         }
     }

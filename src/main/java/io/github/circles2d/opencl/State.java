@@ -11,7 +11,7 @@ import java.nio.FloatBuffer;
  * microseconds, however small.
  */
 final class State {
-    private static final int STATUS_BYTES = 16;
+    private static final int STATUS_BYTES = 32;
 
     /** {@code C2D_TOO_DENSE}. */
     private static final int TOO_DENSE = 2;
@@ -32,6 +32,7 @@ final class State {
     private boolean stagedWhole;
 
     private float fastest;
+    private int tiles;
 
     private final Status done = new Status();
     private int updatesSeen;
@@ -88,6 +89,7 @@ final class State {
         int updates = said.getInt(8) - updatesSeen;
         updatesSeen = said.getInt(8);
         fastest = said.getFloat(12);
+        tiles = said.getInt(16);
         if (said.getInt(4) == TOO_DENSE) {
             throw Status.tooDense();
         }
@@ -97,6 +99,11 @@ final class State {
     /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */
     float fastest() {
         return fastest;
+    }
+
+    /** How many tiles of a tiling had anything in them in the last step; 0 if nobody knows. */
+    int tiles() {
+        return tiles;
     }
 
     /** Says that kernels have been queued that change the circles. */
@@ -130,6 +137,7 @@ final class State {
             staging.bytes().putInt(at, 0);
         }
         updatesSeen = 0;
+        tiles = 0;
         stagedWhole = false;
         status.write(staging.pointer(), STATUS_BYTES);
     }

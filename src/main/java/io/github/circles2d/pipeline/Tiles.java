@@ -14,6 +14,9 @@ public final class Tiles {
     /** The contacts of a tile, and its circles, are counted in so many parts: {@code C2D_PARTS}. */
     public static final int PARTS = 8;
 
+    /** There are never so many tilings: {@code C2D_TILINGS}. */
+    public static final int MOST_TILINGS = 64;
+
     /** Numbers of one tiling in {@link #table}: an int8 in the kernels. */
     public static final int INTS = 8;
 

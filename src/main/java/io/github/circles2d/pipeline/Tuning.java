@@ -237,6 +237,9 @@ public final class Tuning {
 
     public static final int TILES_FEW = 64;
 
+    /** Work-groups for tiles besides those of the step before, and an eighth of these. 1 to 1,000. */
+    public static final int MORE_TILES = 8;
+
     /**
      * Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 600; 16 to 2,000: they take 36 and 9
      * bytes each, together less than the 32 KiB that every device has. On a GPU its contacts are also coloured there, 12 bytes each and 12
