@@ -9,6 +9,7 @@ import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.IntBuffer;
+import java.util.stream.Stream;
 import org.jocl.Pointer;
 
 /**
@@ -62,6 +63,10 @@ final class Heap {
 
     private long[] at = new long[PARTS + TURNS];
     private int capacity;
+    /** Where the tables of levels and of tiles begin, of each of the levels that there are, in units from those of the first. */
+    private int[] levelsAt = {0};
+
+    private int[] tilingsAt = {0};
 
     Heap(Session session) {
         this.session = session;
@@ -86,17 +91,21 @@ final class Heap {
         want(wanted, KICKED, 8L * room);
         want(wanted, FROM, 4L * room);
         want(wanted, RULE, 4L * Substeps.NUMBERS);
+        long levelBytes = 0;
+        long tilingBytes = 0;
         for (Levels cells : levels) {
             Tiles tiles = Tiles.of(cells);
             want(wanted, BUCKET_START, 4L * (cells.cells + 1));
             // one sum for each group, and a group may be of one work-item
             want(wanted, PART_SUMS, 4L * (Math.max(Math.max(cells.cells, tiles.parts()), room) / Tuning.SCAN + 1));
-            want(wanted, LEVELS, 4L * cells.table.length);
-            want(wanted, TILINGS, 4L * tiles.table.length);
+            levelBytes += 4L * cells.table.length;
+            tilingBytes += 4L * tiles.table.length;
             want(wanted, TILE_START, 4L * (tiles.parts() + 1));
             want(wanted, TILE_COLOURS, 4L * tiles.tiles);
             want(wanted, LIVE, 4L * (Tiles.MOST_TILINGS + tiles.tiles));
         }
+        want(wanted, LEVELS, levelBytes);
+        want(wanted, TILINGS, tilingBytes);
         long contacts = (long) Tuning.CONTACTS_PER_CIRCLE * levels[0].circles + Tuning.FIRST_CONTACTS;
         if (contacts > capacity) {
             // one circle more should not move all the others again and again
@@ -105,10 +114,10 @@ final class Heap {
         return grow(wanted);
     }
 
-    /** Writes the tables of levels and tiles. */
-    void write(Levels levels, Tiles tiles) {
-        write(LEVELS, levels.table);
-        write(TILINGS, tiles.table);
+    /** Writes the tables of the levels that there are and of their tiles. */
+    void write(Levels[] levels, Tiles[] tiles) {
+        levelsAt = write(LEVELS, Stream.of(levels).map(cells -> cells.table).toArray(int[][]::new));
+        tilingsAt = write(TILINGS, Stream.of(tiles).map(all -> all.table).toArray(int[][]::new));
     }
 
     /** Makes room for at least so many contacts; keeps what is remembered of those there are. */
@@ -207,10 +216,18 @@ final class Heap {
         }
     }
 
-    private void write(int part, int[] values) {
-        ByteBuffer copy = ByteBuffer.allocateDirect(4 * values.length).order(ByteOrder.nativeOrder());
-        copy.asIntBuffer().put(values);
-        buffer.write(at[index(0, part)], Pointer.to(copy), 4L * values.length);
+    /** Writes tables of whole units one after the other. Returns where each begins. */
+    private int[] write(int part, int[][] tables) {
+        int ints = Stream.of(tables).mapToInt(table -> table.length).sum();
+        ByteBuffer copy = ByteBuffer.allocateDirect(4 * ints).order(ByteOrder.nativeOrder());
+        IntBuffer to = copy.asIntBuffer();
+        int[] begins = new int[tables.length];
+        for (int k = 0; k < tables.length; k++) {
+            begins[k] = 4 * to.position() / UNIT;
+            to.put(tables[k]);
+        }
+        buffer.write(at[index(0, part)], Pointer.to(copy), 4L * ints);
+        return begins;
     }
 
     /** Writes the numbers of a substep. Allocates nothing. */
@@ -223,13 +240,15 @@ final class Heap {
         return (int) (at[index(turn, part)] / UNIT);
     }
 
-    /** What every kernel of small steps begins with, {@code C2D_WORLD}, at a turn. */
-    Object[] world(int turn, State state) {
+    /** What every kernel of small steps begins with, {@code C2D_WORLD}, at a turn, with some of the levels that there are. */
+    Object[] world(int turn, int levels, State state) {
         int[] world = new int[bytes.length + 2];
         for (int i = 0; i < bytes.length; i++) {
             int own = i < 2 * TURNS ? i ^ turn : i;
             world[i] = (int) (at[own] / UNIT);
         }
+        world[index(0, LEVELS)] += levelsAt[levels];
+        world[index(0, TILINGS)] += tilingsAt[levels];
         world[bytes.length] = state.circles;
         world[bytes.length + 1] = capacity;
         return new Object[] {buffer, state.status, world};

@@ -12,6 +12,8 @@ import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
+import java.util.stream.Stream;
 import org.jocl.Pointer;
 
 /** The stages of one world of small steps on an OpenCL device. Calls queue up, in order. */
@@ -21,7 +23,9 @@ final class OpenClSmallStages implements SmallStages {
     private final State state;
     private final Heap heap;
     private final PairTables tables;
-    private final SmallKernels[] kernels = new SmallKernels[2];
+    /** By levels and turn; those of the first levels, and of others once they are needed. */
+    private SmallKernels[] kernels;
+
     private final FloatBuffer numbers;
     private final Pointer toNumbers;
     private final int group;
@@ -35,8 +39,11 @@ final class OpenClSmallStages implements SmallStages {
     private Program aloneProgram;
 
     private final Stats stats;
-    private Levels levels;
-    private Tiles tiles;
+    private Levels[] levels;
+    private Tiles[] tiles;
+    /** The number of the levels in use. */
+    private int used;
+
     private Substeps substeps;
     /** Detections queued, and those known to be done. */
     private long queued;
@@ -77,9 +84,9 @@ final class OpenClSmallStages implements SmallStages {
         Program old = program;
         program = SmallKernels.program(session, config, wanted);
         // kernels of the old program go with the session; a world crosses this line once
-        for (int k = 0; k < kernels.length; k++) {
-            kernels[k] = new SmallKernels(session, program, solving, tables);
-        }
+        kernels = new SmallKernels[] {
+            new SmallKernels(session, program, solving, tables), new SmallKernels(session, program, solving, tables)
+        };
         load = new Kernel(session, program, "c2d_load");
         restore = new Kernel(session, program, "c2d_find_restore");
         wide = wanted;
@@ -89,47 +96,63 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] newLevels, Levels used) {
-        int circles = used.circles;
+    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] newLevels, Levels newUsed) {
+        int circles = newUsed.circles;
         // only pairs have numbers
         compile(config.strategy().pairwise() && IndexStrategies.wide(circles));
         state.upload(circle, velocities, circles);
         if (heap.ensureCircles(newLevels, circle.capacity() / 4)) {
             unbind();
         }
-        use(used);
+        if (!same(newLevels)) {
+            // whoever tries again after a failure writes them again
+            levels = null;
+            unbind();
+            tiles = Stream.of(newLevels).map(Tiles::of).toArray(Tiles[]::new);
+            heap.write(newLevels, tiles);
+        }
+        levels = newLevels;
+        use(newUsed);
         load.arguments(last(), state.circle, state.velocities, placed)
                 .range(circles, group)
                 .launch();
         placed = circles;
     }
 
+    private boolean same(Levels[] others) {
+        boolean same = levels != null && levels.length == others.length;
+        for (int k = 0; same && k < others.length; k++) {
+            same = levels[k].same(others[k]);
+        }
+        return same;
+    }
+
     @Override
     public void use(Levels now) {
-        if (levels == null || !levels.same(now)) {
-            // whoever tries again after a failure writes them again
-            levels = null;
-            unbind();
-            tiles = Tiles.of(now);
-            heap.write(now, tiles);
-            levels = now;
-        }
+        used = Arrays.asList(levels).indexOf(now);
     }
 
     private void unbind() {
         for (SmallKernels one : kernels) {
-            one.bound = false;
+            if (one != null) {
+                one.bound = false;
+            }
         }
     }
 
     /** Of the last detection. */
-    private int lastIndex() {
+    private int lastTurn() {
         return (int) (queued + 1 & 1);
+    }
+
+    /** The kernels of the last detection. */
+    private SmallKernels now() {
+        return kernels[2 * used + lastTurn()];
     }
 
     /** What kernels begin with that work on what the last detection has left. */
     private Object[] last() {
-        return heap.world(lastIndex(), state);
+        return heap.world(lastTurn(), used, state);
     }
 
     @Override
@@ -152,11 +175,7 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void detect(float horizon, float fall) {
-        int index = (int) (queued & 1);
-        SmallKernels now = kernels[index];
-        if (!now.bound) {
-            bind(index);
-        }
+        SmallKernels now = bound((int) (queued & 1));
         if (now.isAlone) {
             now.alone.grid();
             now.find.run(horizon, fall);
@@ -171,24 +190,36 @@ final class OpenClSmallStages implements SmallStages {
         queued++;
     }
 
-    private void bind(int index) {
-        SmallWorld world = new SmallWorld(config, state, heap, index, levels, tiles, session.device);
+    /** The kernels of a turn. */
+    private SmallKernels bound(int turn) {
+        int index = 2 * used + turn;
+        if (index >= kernels.length) {
+            kernels = Arrays.copyOf(kernels, index + 1);
+        }
+        if (kernels[index] == null) {
+            kernels[index] = new SmallKernels(session, program, solving, tables);
+        }
         SmallKernels now = kernels[index];
+        if (now.bound) {
+            return now;
+        }
+        SmallWorld world = new SmallWorld(config, state, heap, turn, used, levels[used], tiles[used], session.device);
         if (world.alone() && now.alone == null) {
             aloneProgram = aloneProgram == null ? SmallKernels.alone(session, config) : aloneProgram;
             now.alone = new Alone(session, aloneProgram);
         }
         now.bind(world);
+        return now;
     }
 
     @Override
     public void integrate() {
-        kernels[lastIndex()].integrate.run();
+        now().integrate.run();
     }
 
     @Override
     public void solve(int count) {
-        SmallKernels now = kernels[lastIndex()];
+        SmallKernels now = now();
         if (now.isAlone) {
             now.alone.solve(count);
         } else {
@@ -210,7 +241,7 @@ final class OpenClSmallStages implements SmallStages {
     @Override
     public void publish() {
         state.changes();
-        kernels[lastIndex()].integrate.publish();
+        now().integrate.publish();
         session.flush();
     }
 
@@ -228,7 +259,7 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void makeRoom(long needed) {
-        restore.arguments(heap.world((int) (done & 1), state))
+        restore.arguments(heap.world((int) (done & 1), used, state))
                 .range(state.circles, group)
                 .launch();
         heap.ensureContacts(Math.max(needed, (long) Math.min(Heap.MOST_CONTACTS, needed * Tuning.GROWTH)));

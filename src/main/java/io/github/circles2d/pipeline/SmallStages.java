@@ -17,7 +17,7 @@ public interface SmallStages extends DeviceState {
      */
     void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels, Levels used);
 
-    /** Which of the levels the detections that follow have their cells from. */
+    /** Which of the levels, one of those uploaded, the detections that follow have their cells from. */
     void use(Levels levels);
 
     /** The numbers of the substeps that follow; where their time is new, scales what is kept from one to the next. */

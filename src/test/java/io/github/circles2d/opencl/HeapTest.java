@@ -16,6 +16,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.stream.Stream;
 import org.jocl.Pointer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -66,11 +67,11 @@ class HeapTest {
         }
         Levels[] levels = Levels.all(CONFIG, Population.of(circle, circles));
         heap.ensureCircles(levels, circles);
-        heap.write(levels[0], Tiles.of(levels[0]));
+        heap.write(levels, Stream.of(levels).map(Tiles::of).toArray(Tiles[]::new));
     }
 
     private DeviceBuffer buffer() {
-        return (DeviceBuffer) heap.world(0, state)[0];
+        return (DeviceBuffer) heap.world(0, 0, state)[0];
     }
 
     @Test
