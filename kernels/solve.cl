@@ -5,8 +5,6 @@
     __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int *other, int capacity,                \
         __global const int *batch, __global const int *tileStart, __global const int *tileColours,                       \
         __global const uint *status
-#define C2D_SOLVE_ALL                                                                                                  \
-    body, id, kicked, walls, rule, memory, other, capacity, batch, tileStart, tileColours, status
 #define C2D_SOLVE_HERE                                                                                                 \
     C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS, status
 
@@ -125,43 +123,39 @@ static void c2d_solve_bodies(int tile, __local float8 *bodies, int room, __local
     }
 }
 
-// A tile that fits into local memory: the circles' own share, then its contacts. Bodies are read and written once, whatever the
-// colours are.
-static void c2d_solve_local(int tile, int2 own, bool moves, C2D_SOLVE, __global const int *members, __local float8 *bodies,
-                            __local int *places) {
-    const int item = (int)get_local_id(0);
-    const int items = (int)get_local_size(0);
-    for (int m = item; m < own.y - own.x; m += items) {
-        const int place = members[own.x + m];
-        c2d_body_to(bodies, m, C2D_TILE_CIRCLES, c2d_integrated(body[place], place, moves, true, id, kicked, walls, rule));
-        places[m] = place;
-    }
-    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    c2d_solve_bodies(tile, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_ALL);
-    for (int m = item; m < own.y - own.x; m += items) {
-        body[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
-    }
-}
-
 // What a tiling `begins` with, before its contacts: nothing; the start of a substep; the end of one and the start of the next.
 #define C2D_NOTHING 0
 #define C2D_KICK 1
 #define C2D_MOVE_AND_KICK 2
 
+// A tile: the circles' own share, then its contacts. Where bodies fit into local memory they are read and written once, whatever
+// the colours are.
 static void c2d_solve_any(int tile, int tiles, int begins, C2D_WORLD, __local float8 *bodies, __local int *places) {
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
     const bool starts = begins != C2D_NOTHING && status[C2D_STALLED] == 0u;
     const bool moves = begins == C2D_MOVE_AND_KICK;
     const int2 own = starts ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
-    if (starts && c2d_fits(own.y - own.x)) {
-        c2d_solve_local(tile, own, moves, C2D_SOLVE_HERE, C2D_MEMBERS, bodies, places);
+    const bool fits = starts && c2d_fits(own.y - own.x);
+    for (int m = item; m < own.y - own.x; m += items) {
+        const int place = C2D_MEMBERS[own.x + m];
+        const float8 body = c2d_integrated(C2D_BODY[place], place, moves, true, C2D_CIRCLES_HERE);
+        if (fits) {
+            c2d_body_to(bodies, m, C2D_TILE_CIRCLES, body);
+            places[m] = place;
+        } else {
+            C2D_BODY[place] = body;
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    if (!fits) {
+        c2d_solve_tile(tile, C2D_SOLVE_HERE);
         return;
     }
-    for (int m = own.x + (int)get_local_id(0); m < own.y; m += (int)get_local_size(0)) {
-        const int i = C2D_MEMBERS[m];
-        C2D_BODY[i] = c2d_integrated(C2D_BODY[i], i, moves, true, C2D_CIRCLES_HERE);
+    c2d_solve_bodies(tile, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_HERE);
+    for (int m = item; m < own.y - own.x; m += items) {
+        C2D_BODY[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
     }
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_solve_tile(tile, C2D_SOLVE_HERE);
 }
 
 // A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share.
