@@ -82,12 +82,12 @@ static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const flo
     const int2 a = cell.xy;
     const int2 b = c2d_finest_cell(body[other[k]].s01, levels[0], rule);
     // the last tiling holds whatever those before do not
-    int tiling = 0;
-    int tile = c2d_tile(a, tilings[0]);
-    while (tile != c2d_tile(b, tilings[tiling])) {
+    int tiling = -1;
+    int tile;
+    do {
         tiling++;
         tile = c2d_tile(a, tilings[tiling]);
-    }
+    } while (tile != c2d_tile(b, tilings[tiling]));
     tint[k] = (ushort)c2d_batch_code(cell, levels);
     return c2d_batch_part(asOne ? tiling : tile, a.y);
 }

@@ -35,14 +35,6 @@ static float8 c2d_integrated(float8 b, int i, bool move, bool kick, C2D_CIRCLES)
     return (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
 }
 
-// The end of a substep.
-__kernel void c2d_integrate(C2D_WORLD) {
-    const int i = (int)get_global_id(0);
-    if (i < world.circles && status[C2D_STALLED] == 0u) {
-        C2D_BODY[i] = c2d_integrated(C2D_BODY[i], i, true, false, C2D_CIRCLES_HERE);
-    }
-}
-
 // After an upload: what is new of the circles, `old` of which have a place already; the others come last.
 __kernel void c2d_load(C2D_WORLD, __global const float4 *circle, __global const float2 *velocities, int old) {
     const int i = (int)get_global_id(0);
@@ -61,8 +53,10 @@ __kernel void c2d_load(C2D_WORLD, __global const float4 *circle, __global const 
     }
 }
 
-// The end of a step: that of its last substep, then the circles by number, and the highest speed, in radii a second.
-__kernel void c2d_publish(C2D_WORLD, __global float4 *circle, __global float2 *velocities, __local uint *fastest) {
+// The end of a substep; of the last of a step, which `publishes`, also the circles by number, and the highest speed, in radii a
+// second.
+__kernel void c2d_integrate(C2D_WORLD, int publishes, __global float4 *circle, __global float2 *velocities,
+                            __local uint *fastest) {
     const int i = (int)get_global_id(0);
     if (get_local_id(0) == 0) {
         *fastest = 0u;
@@ -71,14 +65,16 @@ __kernel void c2d_publish(C2D_WORLD, __global float4 *circle, __global float2 *v
     if (i < world.circles && status[C2D_STALLED] == 0u) {
         const float8 b = c2d_integrated(C2D_BODY[i], i, true, false, C2D_CIRCLES_HERE);
         C2D_BODY[i] = b;
-        const int to = C2D_ID[i];
-        circle[to].xy = b.s01;
-        velocities[to] = b.s23;
-        // positive floats compare as their bits do
-        atomic_max(fastest, as_uint(c2d_positive(sqrt(b.s2 * b.s2 + b.s3 * b.s3) / b.s6)));
+        if (publishes) {
+            const int to = C2D_ID[i];
+            circle[to].xy = b.s01;
+            velocities[to] = b.s23;
+            // positive floats compare as their bits do
+            atomic_max(fastest, as_uint(c2d_positive(sqrt(b.s2 * b.s2 + b.s3 * b.s3) / b.s6)));
+        }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (get_local_id(0) == 0) {
+    if (get_local_id(0) == 0 && publishes) {
         atomic_max(&status[C2D_FASTEST], *fastest);
     }
 }

@@ -44,9 +44,8 @@ final class StageBytes {
         pairwise = config.strategy().pairwise();
         few = circles <= Tuning.FEW_CIRCLES;
         Population population = Population.of(circle, circles);
-        // those of a pile that stands
-        float[] reaches = population.reaches();
-        Levels levels = Levels.of(config, population, reaches[reaches.length - 1]);
+        // those where speeds are such that a step takes one detection or two
+        Levels levels = Levels.of(config, population, Tuning.REACH_FAR);
         Tiles all = Tiles.of(levels);
         buckets = levels.cells;
         occupied = occupied(config, levels, circle, circles);
@@ -94,23 +93,21 @@ final class StageBytes {
             case "c2d_find_fill" -> pairwise ? 0 : (32 + 4 + 4) * n + (4 + 8 + 4) * k;
             // found; how far lists are filled, listStart
             case "c2d_match_order" -> 8 * k + (4 + 4) * n;
-            // from, listStart before; found, other, other before, memory before; memory, batch
-            case "c2d_match" -> (4 + 4) * n + (8 + 4 + 4 + 8 + 8 + 4) * k;
+            // from, listStart before; found, other, other before, where, memory; found, batch
+            case "c2d_match" -> (4 + 4) * n + (8 + 4 + 4 + 4 + 8 + 8 + 4) * k;
             // body, turn of the circles; batch, other; turn and part, code; tileStart read and written
             case "c2d_batch_count" -> (32 + 4) * n + (4 + 4 + 8 + 2) * k + 8 * (parts + members);
             // masks, turns read and written, body, members; turn and part, byTile, code read and written; tileStart
             case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4 + 2 + 4) * k + 4 * (parts + members);
             // byTile, code, owner, other; tint; as if all tiles fitted into local memory; shared out among the tilings
             case "c2d_batch_colour" -> (4 + 4 + 4 + 4 + 2) * k / colourings;
-            // byTile, tint, batch, other; pairs, index; tileStart, tileColours
-            case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4) * k + 4 * parts + 4 * tiles;
-            // body read and written, kicked
-            case "c2d_integrate" -> (64 + 8) * n;
-            // body read and written, kicked read and written, members; pairs, byTile, memory read and written, as
+            // byTile, tint, batch, other, found; solved, memory, where; tileStart, tileColours
+            case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4 + 8 + 4) * k + 4 * parts + 4 * tiles;
+            // body read and written, kicked read and written, members; solved, memory read and written, as
             // if all contacts were of this first tiling; what is left for the others is not known
-            case Launches.FIRST_TILING -> (64 + 16 + 4) * n + (8 + 4 + 16) * k;
-            // body read and written, kicked, id; centre, velocity
-            case "c2d_publish" -> (64 + 8 + 4 + 8 + 8) * n;
+            case Launches.FIRST_TILING -> (64 + 16 + 4) * n + (4 + 16) * k;
+            // body read and written, kicked, id; centre, velocity: at the end of a step
+            case "c2d_integrate" -> (64 + 8 + 4 + 8 + 8) * n;
             default -> 0;
         };
     }

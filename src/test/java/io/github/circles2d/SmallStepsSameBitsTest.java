@@ -124,6 +124,38 @@ class SmallStepsSameBitsTest {
         }
     }
 
+    /** A GPU gets work-groups for about as many tiles as had anything in them in the step before. */
+    @Test
+    void tilesThatSuddenlyAreManyAreAllDone() {
+        try (Circles2D one = builder(ComputeDevice.host()).gravity(0, 0).build();
+                Circles2D other = builder(openCl).gravity(0, 0).workGroup(64).build()) {
+            for (Circles2D world : new Circles2D[] {one, other}) {
+                // pairs that overlap, close together, then far apart
+                SplittableRandom random = new SplittableRandom(1);
+                long[] circles = new long[1500];
+                for (int i = 0; i < circles.length; i += 2) {
+                    double angle = random.nextDouble(2 * Math.PI);
+                    double distance = 0.03 * Math.sqrt(random.nextDouble());
+                    float x = 0.5f + (float) (distance * Math.cos(angle));
+                    float y = 0.5f + (float) (distance * Math.sin(angle));
+                    circles[i] = world.addCircle(x, y, 0.0005f, 1);
+                    circles[i + 1] = world.addCircle(x + 0.0003f, y, 0.0005f, 1);
+                }
+                world.step();
+                Snapshot now = world.snapshot();
+                for (int i = 0; i < circles.length; i++) {
+                    float vx = 200 * (now.x(i & ~1) - 0.5f);
+                    world.setVelocity(circles[i], vx, 200 * (now.y(i & ~1) - 0.5f));
+                }
+            }
+            for (int step = 1; step <= 5; step++) {
+                one.step();
+                other.step();
+                assertEquals(one.stateHash(), other.stateHash(), "step " + step);
+            }
+        }
+    }
+
     @Test
     void theThesisSolverHasOneHashWithTheGridToo() {
         for (Scene scene : Scene.ALL) {

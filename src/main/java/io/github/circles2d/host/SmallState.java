@@ -80,7 +80,7 @@ final class SmallState {
         from = new int[room];
     }
 
-    /** The kernel {@code c2d_publish}. */
+    /** What the kernel {@code c2d_integrate} publishes. */
     void publish() {
         fastest = 0;
         for (int i = 0; i < circles; i++) {

@@ -7,14 +7,17 @@ final class Integrate {
 
     Integrate(Session session, Program program) {
         integrate = new Kernel(session, program, "c2d_integrate");
-        publish = new Kernel(session, program, "c2d_publish");
+        publish = new Kernel(session, program, "c2d_integrate");
     }
 
     void bind(SmallWorld world) {
+        bind(integrate, world, 0);
+        bind(publish, world, 1);
+    }
+
+    private static void bind(Kernel kernel, SmallWorld world, int publishes) {
         State state = world.state();
-        Object[] known = world.known();
-        integrate.arguments(known).range(state.circles, world.group());
-        publish.arguments(known, state.circle, state.velocities, new Kernel.Local(4))
+        kernel.arguments(world.known(), publishes, state.circle, state.velocities, new Kernel.Local(4))
                 .range(state.circles, world.group());
     }
 
@@ -23,6 +26,7 @@ final class Integrate {
         integrate.launch();
     }
 
+    /** The end of a step. */
     void publish() {
         publish.launch();
     }

@@ -113,14 +113,9 @@ public final class Levels {
         return new Levels(config, population, reach);
     }
 
-    /** The levels for each of the {@link Population#reaches} of a world. */
+    /** The levels of a world for {@link Tuning#REACH} and {@link Tuning#REACH_FAR}. */
     public static Levels[] all(WorldConfig config, Population population) {
-        float[] reaches = population.reaches();
-        Levels[] all = new Levels[reaches.length];
-        for (int k = 0; k < all.length; k++) {
-            all[k] = of(config, population, reaches[k]);
-        }
-        return all;
+        return new Levels[] {of(config, population, Tuning.REACH), of(config, population, Tuning.REACH_FAR)};
     }
 
     private float reach(float radius) {

@@ -45,12 +45,7 @@ public record Population(
         }
     }
 
-    /** How far the reach of a circle may go beyond its radius, radii, least first: {@link Tuning#REACH}. */
-    public float[] reaches() {
-        return circles > Tuning.MANY ? new float[] {Tuning.REACH, Tuning.REACH_OF_MANY} : new float[] {Tuning.REACH};
-    }
-
-    /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_publish}. */
+    /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_integrate}. */
     public float fastest(FloatBuffer velocities) {
         float fastest = 0;
         for (int i = 0; i < circles; i++) {

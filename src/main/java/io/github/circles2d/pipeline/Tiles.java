@@ -79,7 +79,8 @@ public final class Tiles {
     }
 
     private static int side(Levels levels, int scale) {
-        int smallest = levels.reach > Tuning.REACH ? Tuning.TILE_SIDE_OF_MANY : Tuning.TILE_SIDE;
+        int far = levels.circles > Tuning.MANY ? Tuning.TILE_SIDE_FAR_OF_MANY : Tuning.TILE_SIDE_FAR;
+        int smallest = levels.reach > Tuning.REACH ? far : Tuning.TILE_SIDE;
         return (int) Math.min(1L << 28, (long) smallest << Tuning.TILE_SCALE * scale);
     }
 

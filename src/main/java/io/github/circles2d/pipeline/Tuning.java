@@ -195,10 +195,8 @@ public final class Tuning {
     /** How far the reach of a circle goes beyond its radius, radii: cells are 2 r (1 + this) wide. 0.25 to 1. */
     public static final float REACH = 0.5f;
 
-    /** The same where that saves detections, of more than so many circles, where these take longer than substeps. 0.5 to 2.5. */
-    public static final float REACH_OF_MANY = 2;
-
-    public static final int MANY = 200_000;
+    /** The same in steps where that saves detections. 0.5 to 2.5. */
+    public static final float REACH_FAR = 2;
 
     /** How much longer a detection takes then, a factor. 1 to 2. */
     public static final float WIDER = 1.3f;
@@ -226,8 +224,12 @@ public final class Tuning {
     /** Side of the smallest tiles, finest cells: 3, 5 or more. */
     public static final int TILE_SIDE = 8;
 
-    /** The same where the reach is {@link #REACH_OF_MANY}. */
-    public static final int TILE_SIDE_OF_MANY = 6;
+    /** The same where the reach is {@link #REACH_FAR}, of up to {@link #MANY} circles and of more. */
+    public static final int TILE_SIDE_FAR = 5;
+
+    public static final int TILE_SIDE_FAR_OF_MANY = 6;
+
+    public static final int MANY = 200_000;
 
     /** How many times the side doubles to the tiles of the next scale. 1 to 4. */
     public static final int TILE_SCALE = 2;

@@ -43,7 +43,7 @@ class TilesTest {
                 0,
                 0,
                 8);
-        for (float reach : new float[] {Tuning.REACH, Tuning.REACH_OF_MANY}) {
+        for (float reach : new float[] {Tuning.REACH, Tuning.REACH_FAR}) {
             neighboursShareATile(Levels.of(config, population(circles, ratio), reach));
         }
     }
