@@ -58,7 +58,7 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums, i
     }
     for (int tile = 0; tile < tiles; tile++) {
         c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
-                             C2D_WHERE, C2D_TILE_START, C2D_TILE_COLOURS, stalled, true, 0, sums);
+                             C2D_WHERE, C2D_TILE_START, C2D_SOLVES + tile, (int2)(0, 0), stalled, true, 0, sums);
     }
 }
 
@@ -78,7 +78,8 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float8 *bodi
         }
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         for (int tile = 0; tile < (stalled ? 0 : tiles); tile++) {
-            c2d_solve_bodies(tile, bodies, circles, 0, C2D_SOLVE_HERE);
+            const int8 own = C2D_SOLVES[tile];
+            c2d_solve_bodies(own.s0, own.s1, own.s4, bodies, circles, 0, C2D_SOLVE_HERE);
         }
     }
     for (int i = item; i < circles; i += items) {

@@ -4,6 +4,10 @@
 // int; else they are the contacts.
 #define C2D_TURN_BITS 15
 #define C2D_REMEMBERED C2D_AT(const float2, found)
+
+// What solve.cl needs of a tile: its contacts, from .s0 to .s1 of `solved`, in .s4 colours; its circles, from .s2 to .s3 of `members`;
+// whether it fits, .s5. By tile, or by place in `live`.
+#define C2D_SOLVES C2D_AT(int8, solves)
 static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
 
 // A tile's contacts by colour, with what is `remembered` of them, by one work-group. `counts`: of so many colours, then how many
@@ -12,7 +16,7 @@ static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
 static void c2d_batch_order_tile(int tile, __global const int *other, __global const int *byTile,
                                  __global const ushort *tint, int capacity, __global int *batch,
                                  __global const float2 *remembered, __global float2 *memory, __global int *where,
-                                 __global const int *tileStart, __global int *tileColours, bool stalled, bool fits,
+                                 __global const int *tileStart, __global int8 *solves, int2 own, bool stalled, bool fits,
                                  __global const int *turn, __local int *counts) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
@@ -75,15 +79,15 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global c
         barrier(CLK_LOCAL_MEM_FENCE);
     }
     if (item == 0) {
-        tileColours[tile] = colours;
+        *solves = (int8)(first, end, own.x, own.y, colours, fits, 0, 0);
     }
 }
 
-// The tile that has something in it and comes at a turn, of all tilings, or -1.
-static int c2d_live_tile(int turn, int tilings, __global const int8 *table, __global const int *live) {
+// Where in `live` the tile is that comes at a turn, of all tilings, or -1.
+static int c2d_live_place(int turn, int tilings, __global const int8 *table, __global const int *live) {
     for (int tiling = 0; tiling < tilings; tiling++) {
         if (turn < live[tiling]) {
-            return live[C2D_TILINGS + table[tiling].C2D_FIRST + turn];
+            return table[tiling].C2D_FIRST + turn;
         }
         turn -= live[tiling];
     }
@@ -99,7 +103,7 @@ static uint c2d_live_most(int tilings, __global const int *live) {
     return (uint)most;
 }
 
-static void c2d_batch_order_any(int tile, int tiles, C2D_WORLD, __local int *counts) {
+static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __local int *counts) {
     const bool stalled = status[C2D_STALLED] != 0u;
     const bool isFirst = !stalled && tile < C2D_TILING_TABLE[1].C2D_FIRST;
     const int2 own = isFirst ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
@@ -109,7 +113,7 @@ static void c2d_batch_order_any(int tile, int tiles, C2D_WORLD, __local int *cou
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
-                         C2D_WHERE, C2D_TILE_START, C2D_TILE_COLOURS, stalled, fits, C2D_TURN_OF, counts);
+                         C2D_WHERE, C2D_TILE_START, C2D_SOLVES + place, own, stalled, fits, C2D_TURN_OF, counts);
 }
 
 // All tilings, work-groups as for batch_local.cl.
@@ -120,12 +124,12 @@ __kernel void c2d_batch_order(C2D_WORLD, int tiles, int tilings, __local int *co
         status[C2D_TILES] = c2d_live_most(tilings, C2D_LIVE);
     }
     int turn = group;
-    for (int tile = c2d_live_tile(turn, tilings, C2D_TILING_TABLE, C2D_LIVE); tile >= 0;
-         tile = c2d_live_tile(turn, tilings, C2D_TILING_TABLE, C2D_LIVE)) {
-        c2d_batch_order_any(tile, tiles, heap, status, world, counts);
+    for (int place = c2d_live_place(turn, tilings, C2D_TILING_TABLE, C2D_LIVE); place >= 0;
+         place = c2d_live_place(turn, tilings, C2D_TILING_TABLE, C2D_LIVE)) {
+        c2d_batch_order_any(C2D_LIVE[C2D_TILINGS + place], place, tiles, heap, status, world, counts);
         turn += (int)get_num_groups(0);
     }
 #else
-    c2d_batch_order_any(group, tiles, heap, status, world, counts);
+    c2d_batch_order_any(group, group, tiles, heap, status, world, counts);
 #endif
 }

@@ -33,7 +33,7 @@ typedef struct {
     uint levels;
     uint tilings;
     uint tileStart;
-    uint tileColours;
+    uint solves;
     uint live;
     uint rule;
     int circles;
@@ -61,7 +61,6 @@ typedef struct {
 #define C2D_LEVEL_TABLE C2D_AT(const int8, levels)
 #define C2D_TILING_TABLE C2D_AT(const int8, tilings)
 #define C2D_TILE_START C2D_AT(int, tileStart)
-#define C2D_TILE_COLOURS C2D_AT(int, tileColours)
 // Of each tiling, of which there may be so many, how many tiles have anything in them; then, from its first tile on, they. For GPUs,
 // where a work-group costs even if it has nothing to do. Processors go through all tiles: their threads take so many groups at a
 // time, be there anything to do or not.

@@ -3,19 +3,14 @@
 
 #define C2D_SOLVE                                                                                                      \
     __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int *other, int capacity,                \
-        __global const int *batch, __global const int *tileStart, __global const int *tileColours,                       \
-        __global const uint *status
-#define C2D_SOLVE_HERE                                                                                                 \
-    C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TILE_COLOURS, status
+        __global const int *batch
+#define C2D_SOLVE_HERE C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH
 
-// The contacts of a tile, a colour at a time, by one work-group. On a GPU, a work-item reads which its next contact is, and what is
+// The contacts of a tile, from `first` to `end`, a colour at a time, by one work-group. On a GPU, a work-item reads which its next contact is, and what is
 // remembered of it, before it solves this one: nobody else changes that.
-static void c2d_solve_tile(int tile, C2D_SOLVE) {
+static void c2d_solve_tile(int first, int end, int colours, C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
-    const int first = tileStart[C2D_PARTS * tile];
-    const int end = tileStart[C2D_PARTS * (tile + 1)];
-    const int colours = status[C2D_STALLED] != 0u || first == end ? 0 : tileColours[tile];
     const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *solved = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
@@ -77,12 +72,10 @@ static void c2d_body_to(__local float8 *bodies, int m, int room, float8 body) { 
 
 // The same of a tile whose `bodies`, with `room` for so many, are in local memory. `places`: those of its circles, or null where
 // they are the turns.
-static void c2d_solve_bodies(int tile, __local float8 *bodies, int room, __local const int *places, C2D_SOLVE) {
+static void c2d_solve_bodies(int first, int end, int colours, __local float8 *bodies, int room, __local const int *places,
+                             C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
-    const int first = tileStart[C2D_PARTS * tile];
-    const int end = tileStart[C2D_PARTS * (tile + 1)];
-    const int colours = first < end ? tileColours[tile] : 0;
     const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *solved = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
@@ -130,16 +123,16 @@ static void c2d_solve_bodies(int tile, __local float8 *bodies, int room, __local
 
 // A tile: the circles' own share, then its contacts. Where bodies fit into local memory they are read and written once, whatever
 // the colours are.
-static void c2d_solve_any(int tile, int tiles, int begins, C2D_WORLD, __local float8 *bodies, __local int *places) {
+static void c2d_solve_any(int8 tile, int begins, C2D_WORLD, __local float8 *bodies, __local int *places) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
-    const bool starts = begins != C2D_NOTHING && status[C2D_STALLED] == 0u;
-    const bool moves = begins == C2D_MOVE_AND_KICK;
-    const int2 own = starts ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
-    const bool fits = starts && c2d_fits(own.y - own.x);
-    for (int m = item; m < own.y - own.x; m += items) {
-        const int place = C2D_MEMBERS[own.x + m];
-        const float8 body = c2d_integrated(C2D_BODY[place], place, moves, true, C2D_CIRCLES_HERE);
+    const bool stalled = status[C2D_STALLED] != 0u;
+    const int circles = begins == C2D_NOTHING || stalled ? 0 : tile.s3 - tile.s2;
+    const int colours = stalled ? 0 : tile.s4;
+    const bool fits = begins != C2D_NOTHING && tile.s5 != 0;
+    for (int m = item; m < circles; m += items) {
+        const int place = C2D_MEMBERS[tile.s2 + m];
+        const float8 body = c2d_integrated(C2D_BODY[place], place, begins == C2D_MOVE_AND_KICK, true, C2D_CIRCLES_HERE);
         if (fits) {
             c2d_body_to(bodies, m, C2D_TILE_CIRCLES, body);
             places[m] = place;
@@ -149,26 +142,25 @@ static void c2d_solve_any(int tile, int tiles, int begins, C2D_WORLD, __local fl
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     if (!fits) {
-        c2d_solve_tile(tile, C2D_SOLVE_HERE);
+        c2d_solve_tile(tile.s0, tile.s1, colours, C2D_SOLVE_HERE);
         return;
     }
-    c2d_solve_bodies(tile, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_HERE);
-    for (int m = item; m < own.y - own.x; m += items) {
+    c2d_solve_bodies(tile.s0, tile.s1, colours, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_HERE);
+    for (int m = item; m < circles; m += items) {
         C2D_BODY[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
     }
 }
 
 // A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share.
-__kernel void c2d_solve(C2D_WORLD, int tiles, int tiling, int begins, __local float8 *bodies, __local int *places) {
-    const int firstTile = C2D_TILING_TABLE[tiling].C2D_FIRST;
+__kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, __local float8 *bodies, __local int *places) {
     const int group = (int)get_group_id(0);
 #if C2D_GPU
     for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
-        c2d_solve_any(C2D_LIVE[C2D_TILINGS + firstTile + turn], tiles, begins, heap, status, world, bodies, places);
+        c2d_solve_any(C2D_SOLVES[firstTile + turn], begins, heap, status, world, bodies, places);
         barrier(CLK_LOCAL_MEM_FENCE);
     }
 #else
-    c2d_solve_any(firstTile + group, tiles, begins, heap, status, world, bodies, places);
+    c2d_solve_any(C2D_SOLVES[firstTile + group], begins, heap, status, world, bodies, places);
 #endif
 }
 

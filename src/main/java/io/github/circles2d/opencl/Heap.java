@@ -42,7 +42,7 @@ final class Heap {
     private static final int LEVELS = 12;
     private static final int TILINGS = 13;
     static final int TILE_START = 14;
-    private static final int TILE_COLOURS = 15;
+    private static final int SOLVES = 15;
     private static final int LIVE = 16;
     private static final int RULE = 17;
     private static final int PARTS = 18;
@@ -101,7 +101,7 @@ final class Heap {
             levelBytes += 4L * cells.table.length;
             tilingBytes += 4L * tiles.table.length;
             want(wanted, TILE_START, 4L * (tiles.parts() + 1));
-            want(wanted, TILE_COLOURS, 4L * tiles.tiles);
+            want(wanted, SOLVES, 32L * tiles.tiles);
             want(wanted, LIVE, 4L * (Tiles.MOST_TILINGS + tiles.tiles));
         }
         want(wanted, LEVELS, levelBytes);

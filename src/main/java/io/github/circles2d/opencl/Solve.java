@@ -47,8 +47,8 @@ final class Solve {
         int circles = local ? Tuning.TILE_CIRCLES : 1;
         kernel.arguments(
                         world.known(),
-                        tiles.tiles,
                         tiling,
+                        tiles.first(tiling),
                         begins,
                         new Kernel.Local(32L * circles),
                         new Kernel.Local(4L * circles))
