@@ -95,6 +95,29 @@ class AllocationTest {
         }
     }
 
+    /** Circles that bounce without end: the world chooses other substeps in almost every step. */
+    @ParameterizedTest
+    @MethodSource("io.github.circles2d.TestDevices#both")
+    void chosenSubstepsAllocateNothing(Supplier<ComputeDevice> device) {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long self = Thread.currentThread().getId();
+        try (Circles2D world =
+                Circles2D.builder().device(device.get()).restitution(1).build()) {
+            for (int i = 0; i < 100; i++) {
+                world.addCircle((i + 0.5f) / 100, 0.9f, 0.002f, 1);
+            }
+            long least = Long.MAX_VALUE;
+            for (int round = 0; round < ROUNDS; round++) {
+                long before = threads.getThreadAllocatedBytes(self);
+                for (int frame = 0; frame < 2 * FRAMES; frame++) {
+                    frame(world);
+                }
+                least = Math.min(least, threads.getThreadAllocatedBytes(self) - before);
+            }
+            assertEquals(0, least, "bytes in " + 2 * FRAMES + " frames");
+        }
+    }
+
     private static void frame(Circles2D world) {
         world.step();
         Snapshot now = world.snapshot();

@@ -50,10 +50,10 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void begin(Substeps substeps) {
+    public void begin(Substeps substeps, float ratio) {
         state.substeps = substeps;
-        if (substeps.rescales()) {
-            solve.rescale();
+        if (ratio != 1) {
+            solve.rescale(ratio);
         }
     }
 

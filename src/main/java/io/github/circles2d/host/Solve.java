@@ -123,8 +123,7 @@ final class Solve {
     }
 
     /** The kernel {@code c2d_rescale}: what an impulse is worth in substeps of another time. */
-    void rescale() {
-        float ratio = state.number(Substeps.RESCALE);
+    void rescale(float ratio) {
         for (int k = 0; k < contacts.listStart[state.circles]; k++) {
             rescale(contacts.memory, 2 * k, 2 * k + 1, ratio);
         }

@@ -33,7 +33,6 @@ final class OpenClSmallStages implements SmallStages {
     private Program program;
     private final Program solving;
     private Kernel load;
-    private final Kernel rescale;
     private Kernel restore;
     /** The kernels for one work-group, once a world was so small. */
     private Program aloneProgram;
@@ -68,7 +67,6 @@ final class OpenClSmallStages implements SmallStages {
             tables = config.strategy().pairwise() ? new PairTables(session, config) : null;
             stats = new Stats(session, config, group, () -> SmallKernels.stats(session, config));
             solving = SmallKernels.solving(session, config);
-            rescale = new Kernel(session, solving, "c2d_rescale");
             compile(false);
         } catch (RuntimeException e) {
             session.close();
@@ -161,15 +159,15 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void begin(Substeps now) {
-        if (now == substeps) {
+    public void begin(Substeps now, float ratio) {
+        if (now == substeps && ratio == 1) {
             return;
         }
         substeps = now;
-        numbers.put(0, now.numbers());
+        numbers.put(0, now.numbers()).put(Substeps.RESCALE, ratio);
         heap.writeRule(toNumbers);
-        if (now.rescales()) {
-            rescale.arguments(last()).range(Math.max(1, state.circles), group).launch();
+        if (ratio != 1) {
+            bound(lastTurn()).solve.rescale();
         }
     }
 

@@ -20,6 +20,7 @@ final class Solve {
 
     private final Kernel kickAndFirst;
     private final List<Kernel> others = new ArrayList<>();
+    private final Kernel rescale;
     private int count;
 
     Solve(Session session, Program program) {
@@ -27,11 +28,13 @@ final class Solve {
         this.program = program;
         moveAndFirst = new Kernel(session, program, "c2d_solve");
         kickAndFirst = new Kernel(session, program, "c2d_solve");
+        rescale = new Kernel(session, program, "c2d_rescale");
     }
 
     void bind(SmallWorld world) {
         bind(moveAndFirst, world, 0, MOVE_AND_KICK);
         bind(kickAndFirst, world, 0, KICK);
+        rescale.arguments(world.known()).range(Math.max(1, world.circles()), world.group());
         count = world.tiles().tilings - 1;
         for (int k = 0; k < count; k++) {
             if (k == others.size()) {
@@ -53,6 +56,11 @@ final class Solve {
                         new Kernel.Local(32L * circles),
                         new Kernel.Local(4L * circles))
                 .groups(tiles.count(tiling), local ? world.firstTileGroup() : world.tileGroup());
+    }
+
+    /** As {@link io.github.circles2d.pipeline.SmallStages#begin} says. */
+    void rescale() {
+        rescale.launch();
     }
 
     /**

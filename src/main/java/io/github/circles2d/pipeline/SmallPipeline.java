@@ -19,6 +19,9 @@ public final class SmallPipeline implements Stepper {
     private Levels used;
     private float fastest;
     private float before;
+    /** By their count, those that there were. */
+    private final Substeps[] known = new Substeps[Tuning.MAX_SUBSTEPS + 1];
+
     private Substeps substeps;
     private int perDetection;
     private boolean inFlight;
@@ -43,10 +46,8 @@ public final class SmallPipeline implements Stepper {
     public void step() {
         await();
         int count = config.substeps() > 0 ? config.substeps() : Substeps.choose(config, population, fastest);
-        if (substeps == null || substeps.count() != count || substeps.rescales()) {
-            substeps = Substeps.of(config, count, before);
-        }
-        before = substeps.seconds();
+        // kept, for a world that chooses anew in every step should allocate nothing
+        substeps = known[count] = known[count] == null ? Substeps.of(config, count) : known[count];
         Levels now = levels[0];
         perDetection = perDetection(now);
         for (Levels wider : levels) {
@@ -62,7 +63,8 @@ public final class SmallPipeline implements Stepper {
             used = now;
             stages.use(now);
         }
-        stages.begin(substeps);
+        stages.begin(substeps, before > 0 ? substeps.seconds() / before : 1);
+        before = substeps.seconds();
         run(0);
         inFlight = true;
     }

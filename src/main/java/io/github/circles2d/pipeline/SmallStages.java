@@ -20,8 +20,12 @@ public interface SmallStages extends DeviceState {
     /** Which of the levels, one of those uploaded, the detections that follow have their cells from. */
     void use(Levels levels);
 
-    /** The numbers of the substeps that follow; where their time is new, scales what is kept from one to the next. */
-    void begin(Substeps substeps);
+    /**
+     * The numbers of the substeps that follow. Allocates nothing.
+     *
+     * @param ratio of their time to that of those before; what is kept from one to the next is scaled by it
+     */
+    void begin(Substeps substeps, float ratio);
 
     /**
      * Sorts the circles by cell and lists the contacts within reach, with what is remembered of each. Between the moves

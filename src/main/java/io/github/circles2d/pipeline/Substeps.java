@@ -37,12 +37,8 @@ public record Substeps(int count, float seconds, float[] numbers) {
     /** How many numbers there are. */
     public static final int NUMBERS = 24;
 
-    /**
-     * A step of {@code count} substeps.
-     *
-     * @param before time of a substep of the last step, seconds; 0 before the first
-     */
-    public static Substeps of(WorldConfig config, int count, float before) {
+    /** A step of {@code count} substeps, after steps of as many. */
+    public static Substeps of(WorldConfig config, int count) {
         float[] n = new float[NUMBERS];
         float time = config.timeStep() / count;
         n[TIME] = time;
@@ -52,7 +48,7 @@ public record Substeps(int count, float seconds, float[] numbers) {
         n[SLOWED] = Math.max(0, 1 - Tuning.DRAG * time);
         n[GAIN_X] = config.gravityX() * time;
         n[GAIN_Y] = config.gravityY() * time;
-        n[RESCALE] = before > 0 ? time / before : 1;
+        n[RESCALE] = 1;
         n[SPEED_X] = (config.maxX() - config.minX()) / config.timeStep();
         n[SPEED_Y] = (config.maxY() - config.minY()) / config.timeStep();
         n[MIN_X] = config.minX();
@@ -70,11 +66,6 @@ public record Substeps(int count, float seconds, float[] numbers) {
         n[ALWAYS_NEAR] = Tuning.ALWAYS_NEAR;
         n[TURN] = Tuning.TURN;
         return new Substeps(count, time, n);
-    }
-
-    /** Whether the substeps before had another time. */
-    public boolean rescales() {
-        return numbers[RESCALE] != 1;
     }
 
     /** Gravity's size, world units / s^2. */
