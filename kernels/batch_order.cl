@@ -94,7 +94,7 @@ static int c2d_live_place(int turn, int tilings, __global const int8 *table, __g
     return -1;
 }
 
-// What is asked for of the next step: how many tiles of one tiling have anything in them.
+// What the host sizes the launches of the next step by: how many tiles of one tiling have anything in them.
 static uint c2d_live_most(int tilings, __global const int *live) {
     int most = 0;
     for (int tiling = 0; tiling < tilings; tiling++) {

@@ -167,12 +167,15 @@ public final class Frame {
         int colour = rows.values("device").indexOf(device)
                         * rows.values("background").size()
                 + rows.values("background").indexOf(background);
+        int stroke =
+                rows.values("substeps").indexOf(substeps) * rows.numbers("work").size()
+                        + rows.numbers("work").indexOf(work);
         chart.line(
                 device + ", work " + work + " ms"
-                        + (rows.values("substeps").size() > 1 ? ", substeps " + substeps : "")
+                        + (rows.values("substeps").size() > 1 ? ", substeps " + named(substeps) : "")
                         + (background.equals("true") ? ", background" : ""),
                 colour,
-                rows.numbers("work").indexOf(work),
+                stroke,
                 circles,
                 circles.stream()
                         .map(n -> rows.row(device, substeps, background, work, n)
@@ -181,10 +184,14 @@ public final class Frame {
                         .toList());
     }
 
+    private static String named(String substeps) {
+        return substeps.equals("0") ? "auto" : substeps;
+    }
+
     private static void add(Markdown page, Map<String, String> row) {
         page.row(
                 row.get("device"),
-                row.get("substeps").equals("0") ? "auto" : row.get("substeps"),
+                named(row.get("substeps")),
                 row.get("background").equals("true") ? "yes" : "no",
                 Markdown.count(row.get("circles")),
                 row.get("work"),

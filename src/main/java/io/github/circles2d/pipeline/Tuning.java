@@ -242,13 +242,13 @@ public final class Tuning {
     /** Work-groups for tiles besides those of the step before, and an eighth of these. 1 to 1,000. */
     public static final int MORE_TILES = 8;
 
-    /**
-     * Circles and contacts up to which a tile is solved in the local memory of a work-group. 16 to 600; 16 to 2,000: they take 36 and 9
-     * bytes each, together less than the 32 KiB that every device has. On a GPU its contacts are also coloured there, 12 bytes each and 12
-     * for each of the circles, of which there is room for the power of two up to these contacts.
-     */
+    /** Circles up to which a tile is solved in the local memory of a work-group. 16 to 900: 36 bytes each, of at least 32 KiB. */
     public static final int TILE_CIRCLES = 540;
 
+    /**
+     * Contacts up to which a tile of the first tiling is coloured in local memory, on a GPU. 16 to 2,000: 12 bytes each and 12 for each of
+     * its circles, of which there is room for the power of two up to these contacts.
+     */
     public static final int TILE_CONTACTS = 1400;
 
     /** Contacts up to which a tile of another tiling is coloured there. 16 to 1,400; there is room for more circles than that. */
