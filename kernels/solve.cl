@@ -6,8 +6,8 @@
         __global const int *batch
 #define C2D_SOLVE_HERE C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH
 
-// The contacts of a tile, from `first` to `end`, a colour at a time, by one work-group. On a GPU, a work-item reads which its next contact is, and what is
-// remembered of it, before it solves this one: nobody else changes that.
+// The contacts of a tile, from `first` to `end`, a colour at a time, by one work-group. On a GPU, a work-item reads which its next
+// contact is, and what is remembered of it, before it solves this one: nobody else changes that.
 static void c2d_solve_tile(int first, int end, int colours, C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
