@@ -147,17 +147,17 @@ final class Kernel implements AutoCloseable {
     }
 
     void launch() {
-        launch(items, itemsPerLaunch);
+        launchItems(items);
     }
 
     /** Launches at most so many groups, of a kernel that goes round for the others. */
     void launch(long groups) {
-        launch(Math.min(items, groups * local[0]), itemsPerLaunch);
+        launchItems(Math.min(items, groups * local[0]));
     }
 
-    private void launch(long count, long perLaunch) {
-        for (offset[0] = 0; offset[0] < count; offset[0] += perLaunch) {
-            global[0] = Math.min(perLaunch, count - offset[0]);
+    private void launchItems(long count) {
+        for (offset[0] = 0; offset[0] < count; offset[0] += itemsPerLaunch) {
+            global[0] = Math.min(itemsPerLaunch, count - offset[0]);
             int status = session.api.enqueueNDRangeKernel(session.queue, kernel, offset, global, local);
             if (status != CL.CL_SUCCESS) {
                 Cl.check("clEnqueueNDRangeKernel(" + name + ")", status);
