@@ -127,7 +127,10 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void use(Levels now) {
-        used = Arrays.asList(levels).indexOf(now);
+        used = 0;
+        while (levels[used] != now) {
+            used++;
+        }
     }
 
     private void unbind() {
