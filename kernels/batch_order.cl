@@ -6,7 +6,7 @@
 #define C2D_REMEMBERED C2D_AT(const float2, found)
 
 // What solve.cl needs of a tile: its contacts, from .s0 to .s1 of `solved`, in .s4 colours; its circles, from .s2 to .s3 of `members`;
-// whether it fits, .s5. By tile, or by place in `live`.
+// whether it fits, .s5; its number, .s6. By tile, or by place in `live`.
 #define C2D_SOLVES C2D_AT(int8, solves)
 static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
 
@@ -79,7 +79,7 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global c
         barrier(CLK_LOCAL_MEM_FENCE);
     }
     if (item == 0) {
-        *solves = (int8)(first, end, own.x, own.y, colours, fits, 0, 0);
+        *solves = (int8)(first, end, own.x, own.y, colours, fits, tile, 0);
     }
 }
 
@@ -103,7 +103,46 @@ static uint c2d_live_most(int tilings, __global const int *live) {
     return (uint)most;
 }
 
-static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __local int *counts) {
+// Crossing contacts, crossing.cl, which only three tilings have. Of a tile of the last tiling, so many at most; around a tile of
+// another, there are three such tiles.
+#define C2D_CROSSING 16
+#define C2D_LANES (3 * C2D_CROSSING)
+// Those of the whole world. With more of either, the world is crowded.
+#define C2D_CROSSINGS(circles) ((circles) / 32 + 64)
+
+// By turn of a crossing contact: its colour, and for both tilings and both circles which of the tiles around has the circle.
+#define C2D_ROLES C2D_BY_TILE
+#define C2D_ROLE(roles, tiling, circle) ((roles) >> 2 * (2 * (tiling) + (circle)) & 3)
+#define C2D_ROLE_COLOUR(roles) ((roles) >> 8)
+
+static int c2d_role(int tile, int tiling, int2 cell, __global const int8 *tilings) {
+    const int own = c2d_tile(cell, tilings[tiling]);
+    return own == c2d_around(tile, tiling, 0, true, tilings) ? 0 : own == c2d_around(tile, tiling, 1, true, tilings) ? 1 : 2;
+}
+
+static int c2d_crossing_first(C2D_WORLD) { return C2D_TILE_START[C2D_PARTS * C2D_TILING_TABLE[2].C2D_FIRST]; }
+
+// Of a tile of the last tiling, once its contacts are in order. By one work-group.
+static void c2d_crossing_roles(int tile, C2D_WORLD) {
+    __global const int8 *tilings = C2D_TILING_TABLE;
+    __global const float *rule = C2D_RULE;
+    const int8 all = C2D_LEVEL_TABLE[0];
+    const int first = C2D_TILE_START[C2D_PARTS * tile];
+    const int end = C2D_TILE_START[C2D_PARTS * (tile + 1)];
+    for (int e = first + (int)get_local_id(0); e < end; e += (int)get_local_size(0)) {
+        const int k = C2D_SOLVED[e];
+        const int2 a = c2d_finest_cell(C2D_BODY[C2D_BATCH[k]].s01, all, rule);
+        const int2 b = c2d_finest_cell(C2D_BODY[C2D_OTHER[k]].s01, all, rule);
+        C2D_ROLES[e] = c2d_role(tile, 0, a, tilings) | c2d_role(tile, 0, b, tilings) << 2 |
+                       c2d_role(tile, 1, a, tilings) << 4 | c2d_role(tile, 1, b, tilings) << 6 | C2D_TINT[k] << 8;
+    }
+    const int before = c2d_crossing_first(heap, status, world);
+    if (get_local_id(0) == 0 && (end - first > C2D_CROSSING || end - before > C2D_CROSSINGS(world.circles))) {
+        atomic_max(&status[C2D_CROWDED], 1u);
+    }
+}
+
+static void c2d_batch_order_any(int tile, int place, int tiles, int tilings, C2D_WORLD, __local int *counts) {
     const bool stalled = status[C2D_STALLED] != 0u;
     const bool isFirst = !stalled && tile < C2D_TILING_TABLE[1].C2D_FIRST;
     const int2 own = isFirst ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
@@ -114,6 +153,10 @@ static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __loc
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
                          C2D_WHERE, C2D_TILE_START, C2D_SOLVES + place, own, stalled, fits, C2D_TURN_OF, counts);
+    barrier(CLK_GLOBAL_MEM_FENCE);
+    if (tilings == 3 && !stalled && tile >= C2D_TILING_TABLE[2].C2D_FIRST) {
+        c2d_crossing_roles(tile, heap, status, world);
+    }
 }
 
 // All tilings, work-groups as for batch_local.cl.
@@ -126,10 +169,10 @@ __kernel void c2d_batch_order(C2D_WORLD, int tiles, int tilings, __local int *co
     int turn = group;
     for (int place = c2d_live_place(turn, tilings, C2D_TILING_TABLE, C2D_LIVE); place >= 0;
          place = c2d_live_place(turn, tilings, C2D_TILING_TABLE, C2D_LIVE)) {
-        c2d_batch_order_any(C2D_LIVE[C2D_TILINGS + place], place, tiles, heap, status, world, counts);
+        c2d_batch_order_any(C2D_LIVE[C2D_TILINGS + place], place, tiles, tilings, heap, status, world, counts);
         turn += (int)get_num_groups(0);
     }
 #else
-    c2d_batch_order_any(group, group, tiles, heap, status, world, counts);
+    c2d_batch_order_any(group, group, tiles, tilings, heap, status, world, counts);
 #endif
 }

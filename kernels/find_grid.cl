@@ -48,35 +48,40 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
                 const int firstBucket = folded ? bucket : bucket - (right - left);
                 const bool home = same && row == y && (!folded || column == x);
                 const int first = home ? i + 1 : bucketStart[firstBucket];
-                for (int j = bucketStart[bucket + 1] - 1; j >= first; j--) {
-                    const float8 there = body[j];
-                    if (!c2d_near(own, there, rule, horizon, fall)) {
-                        continue;
-                    }
-                    if (folded) {
-                        // a bucket holds circles of cells far apart
-                        const int4 cell = c2d_cell(there, levels, rule);
-                        if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
+                // read by fours, for each is a way to memory
+                for (int last = bucketStart[bucket + 1] - 1; last >= first; last -= 4) {
+                    const float8 there[4] = {body[last], body[max(last - 1, first)], body[max(last - 2, first)],
+                                             body[max(last - 3, first)]};
+                    for (int turn = 0; turn < 4 && last - turn >= first; turn++) {
+                        const int j = last - turn;
+                        if (!c2d_near(own, there[turn], rule, horizon, fall)) {
                             continue;
                         }
-                    }
-                    if (fill) {
-                        if (same) {
-                            free = c2d_find_put(i, j, free, end, folded, other, found);
-                        } else {
-                            c2d_find_put_smaller(i, j, circles, listStart, filled, found);
+                        if (folded) {
+                            // a bucket holds circles of cells far apart
+                            const int4 cell = c2d_cell(there[turn], levels, rule);
+                            if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
+                                continue;
+                            }
                         }
-                        continue;
+                        if (fill) {
+                            if (same) {
+                                free = c2d_find_put(i, j, free, end, folded, other, found);
+                            } else {
+                                c2d_find_put_smaller(i, j, circles, listStart, filled, found);
+                            }
+                            continue;
+                        }
+                        if (same) {
+                            free++;
+                        } else {
+                            atomic_inc(&listStart[j + 1]);
+                        }
+                        if (pairs < C2D_KEPT) {
+                            kept[pairs * circles + i] = same ? j : ~j;
+                        }
+                        pairs++;
                     }
-                    if (same) {
-                        free++;
-                    } else {
-                        atomic_inc(&listStart[j + 1]);
-                    }
-                    if (pairs < C2D_KEPT) {
-                        kept[pairs * circles + i] = same ? j : ~j;
-                    }
-                    pairs++;
                 }
             }
         }

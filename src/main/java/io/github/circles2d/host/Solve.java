@@ -18,7 +18,8 @@ final class Solve {
 
     void run() {
         n = state.substeps.numbers();
-        for (int tiling = 0; tiling < batch.tilings(); tiling++) {
+        batch.forTiles(0, work);
+        for (int tiling = batch.tilings() - 1; tiling > 0; tiling--) {
             batch.forTiles(tiling, work);
         }
     }

@@ -26,7 +26,8 @@ final class Alone {
                         tilings,
                         new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)),
                         Batch.local(contacts(world.circles()), world.circles(), false));
-        solve.range(1, world.oneGroup()).arguments(known, tilings, new Kernel.Local(32L * world.circles()));
+        solve.range(1, world.oneGroup())
+                .arguments(known, tilings, new Kernel.Local(32L * Math.max(1, world.circles())));
     }
 
     /** Contacts of a tiling for which there is local memory; with more it takes longer. */

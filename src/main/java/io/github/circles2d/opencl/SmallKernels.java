@@ -48,6 +48,7 @@ final class SmallKernels {
                 "find",
                 pairwise ? "find_pairs" : "find_grid",
                 "match",
+                "tiles",
                 "batch",
                 "batch_colour",
                 "batch_local",
@@ -71,13 +72,15 @@ final class SmallKernels {
                 registers,
                 List.of("solve"),
                 "detect",
+                "tiles",
                 "batch",
                 "batch_colour",
                 "batch_local",
                 "batch_order",
                 "walls",
                 "integrate",
-                "visit");
+                "visit",
+                "crossing");
     }
 
     /** Compiles the kernels for one work-group. */
@@ -89,6 +92,7 @@ final class SmallKernels {
                 List.of("alone"),
                 "detect",
                 "grid",
+                "tiles",
                 "batch",
                 "batch_colour",
                 "batch_local",
@@ -96,6 +100,7 @@ final class SmallKernels {
                 "walls",
                 "integrate",
                 "visit",
+                "crossing",
                 "solve");
     }
 

@@ -56,13 +56,12 @@ record SmallWorld(
     }
 
     /**
-     * Whether the world is so small that one work-group does it. On a CPU, that would be one of its cores; a size of groups that
-     * is asked for has it done all the same.
+     * Whether the world is so small that one work-group does it. On a CPU that is one of its cores: launches for all of them
+     * would take longer.
      */
     boolean alone() {
         return circles() <= Math.min(config.smallWorld(), Tuning.ALONE_CIRCLES)
-                && Alone.localBytes(circles()) <= device.localMemory
-                && asOnGpu();
+                && Alone.localBytes(circles()) <= device.localMemory;
     }
 
     /** As {@link OpenClDevice#asOnGpu} says. */

@@ -5,13 +5,15 @@ import io.github.circles2d.pipeline.Tuning;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Host code of {@code kernels/solve.cl}: a pass over the contacts, a tiling at a time. */
+/** Host code of {@code kernels/solve.cl}: a pass over the contacts, a tiling at a time, in the order of {@link Tiles}. */
 final class Solve {
     /** What comes before a tiling: {@code C2D_NOTHING} and so on. */
     private static final int NOTHING = 0;
 
     private static final int KICK = 1;
     private static final int MOVE_AND_KICK = 2;
+    /** {@code C2D_LANES}. */
+    private static final int CROSSING_LANES = 48;
 
     private final Session session;
     private final Program program;
@@ -22,6 +24,8 @@ final class Solve {
     private final List<Kernel> others = new ArrayList<>();
     private final Kernel rescale;
     private int count;
+    private boolean mayCross;
+    private boolean crossing;
 
     Solve(Session session, Program program) {
         this.session = session;
@@ -42,20 +46,35 @@ final class Solve {
             }
             bind(others.get(k), world, k + 1, NOTHING);
         }
+        mayCross = world.tiles().crossing();
+        crossing = !mayCross;
+        crossing(mayCross);
     }
 
     private static void bind(Kernel kernel, SmallWorld world, int tiling, int begins) {
         Tiles tiles = world.tiles();
-        boolean local = begins != NOTHING;
-        int circles = local ? Tuning.TILE_CIRCLES : 1;
+        boolean first = begins != NOTHING;
+        boolean crosses = tiling == 1 && tiles.crossing();
+        int bodies = first ? Tuning.TILE_CIRCLES : crosses ? 2 * CROSSING_LANES : 1;
+        int places = first ? Tuning.TILE_CIRCLES : crosses ? 4 * CROSSING_LANES + 1 : 1;
         kernel.arguments(
                         world.known(),
                         tiling,
                         tiles.first(tiling),
                         begins,
-                        new Kernel.Local(32L * circles),
-                        new Kernel.Local(4L * circles))
-                .groups(tiles.count(tiling), local ? world.firstTileGroup() : world.tileGroup());
+                        new Kernel.Local(32L * bodies),
+                        new Kernel.Local(4L * places))
+                .groups(tiles.count(tiling), first ? world.firstTileGroup() : world.tileGroup());
+    }
+
+    /** Whether crossing contacts are done with the second tiling: {@code kernels/crossing.cl}. */
+    private void crossing(boolean now) {
+        if (now != crossing) {
+            crossing = now;
+            moveAndFirst.more(now ? 1 : 0);
+            kickAndFirst.more(now ? 1 : 0);
+            others.forEach(kernel -> kernel.more(now ? 1 : 0));
+        }
     }
 
     /** As {@link io.github.circles2d.pipeline.SmallStages#begin} says. */
@@ -67,11 +86,13 @@ final class Solve {
      * Substeps, as {@link io.github.circles2d.pipeline.SmallStages#solve} says.
      *
      * @param groups for so many tiles of a tiling
+     * @param crowded whether crossing contacts are too many to be done with the second tiling
      */
-    void run(int substeps, int groups) {
+    void run(int substeps, int groups, boolean crowded) {
+        crossing(mayCross && !crowded);
         for (int substep = 0; substep < substeps; substep++) {
             (substep > 0 ? moveAndFirst : kickAndFirst).launch(groups);
-            for (int k = 0; k < count; k++) {
+            for (int k = crossing ? 0 : count - 1; k >= 0; k--) {
                 others.get(k).launch(groups);
             }
         }

@@ -242,6 +242,9 @@ public final class Tuning {
     /** Work-groups for tiles besides those of the step before, and an eighth of these. 1 to 1,000. */
     public static final int MORE_TILES = 8;
 
+    /** Steps for which a world that was crowded is taken to be so: C2D_CROSSING. 1 to 1,000: a step that finds out is slow. */
+    public static final int CROWDED_STEPS = 100;
+
     /** Circles up to which a tile is solved in the local memory of a work-group. 16 to 900: 36 bytes each, of at least 32 KiB. */
     public static final int TILE_CIRCLES = 540;
 
@@ -254,7 +257,8 @@ public final class Tuning {
     /** Contacts up to which a tile of another tiling is coloured there. 16 to 1,400; there is room for more circles than that. */
     public static final int OTHER_TILE_CONTACTS = 400;
 
-    /** Circles up to which one work-group does most of a detection and its substeps, on a GPU. 0 (never) to 10^4. */
+    /** Circles up to which one work-group does most of a detection and its substeps. 0 (never) to 10^4: of a GPU, what its local memory holds; of
+     * two cores, to 2,500 it takes no longer than both together. */
     public static final int ALONE_CIRCLES = 1280;
 
     /** Values up to which one work-group scans them all. 0 (never) to 10^5. */
