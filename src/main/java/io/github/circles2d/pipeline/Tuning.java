@@ -257,8 +257,10 @@ public final class Tuning {
     /** Contacts up to which a tile of another tiling is coloured there. 16 to 1,400; there is room for more circles than that. */
     public static final int OTHER_TILE_CONTACTS = 400;
 
-    /** Circles up to which one work-group does most of a detection and its substeps. 0 (never) to 10^4: of a GPU, what its local memory holds; of
-     * two cores, to 2,500 it takes no longer than both together. */
+    /**
+     * Circles up to which one work-group does most of a detection and its substeps. 0 (never) to 10^4: local memory of GPUs holds no more,
+     * and to 2,500 one core of a processor takes no longer than two.
+     */
     public static final int ALONE_CIRCLES = 1280;
 
     /** Values up to which one work-group scans them all. 0 (never) to 10^5. */

@@ -25,11 +25,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CrossingTest {
     private static final float RADIUS = 0.004f;
 
-    private static WorldConfig config(int group) {
+    private static WorldConfig config(int group, float gravity) {
         return new WorldConfig(
                 1f / 60,
                 0,
-                0,
+                gravity,
                 0.5f,
                 0,
                 0,
@@ -64,6 +64,17 @@ class CrossingTest {
         return circle;
     }
 
+    /** Circles that soon lie on the ground. */
+    private static FloatBuffer layer(int circles) {
+        SplittableRandom random = new SplittableRandom(4);
+        FloatBuffer circle = floats(4 * circles);
+        for (int i = 0; i < circles; i++) {
+            circle.put((float) random.nextDouble()).put(0.2f * (float) random.nextDouble());
+            circle.put(RADIUS * (0.7f + 0.3f * (float) random.nextDouble())).put(1);
+        }
+        return circle;
+    }
+
     private static int[] bits(SmallStages stages, int circles) {
         FloatBuffer circle = floats(4 * circles);
         FloatBuffer velocities = floats(2 * circles);
@@ -80,9 +91,9 @@ class CrossingTest {
     }
 
     /** Steps of both devices that are alike; of how many the device took the world to be crowded. */
-    private static int compare(int group, int circles, double spread, int steps) {
-        WorldConfig config = config(group);
-        FloatBuffer circle = heap(circles, spread);
+    private static int compare(int group, float gravity, FloatBuffer circle, int steps) {
+        WorldConfig config = config(group, gravity);
+        int circles = circle.capacity() / 4;
         FloatBuffer velocities = floats(2 * circles);
         int crowded = 0;
         try (HostSmallStages host = new HostSmallStages(config);
@@ -110,14 +121,17 @@ class CrossingTest {
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 7, 64})
     void fewAreDoneWithTheSecondTiling(int group) {
-        assertEquals(0, compare(group, 2000, 0.3, 40));
+        assertEquals(0, compare(group, -1, layer(3000), 40));
     }
 
     @ParameterizedTest
     @ValueSource(ints = {0, 7, 64})
     void tooManyAreNotAndOnlyAsLongAsTheyAre(int group) {
         int steps = 2 * Tuning.CROWDED_STEPS + 20;
-        int crowded = compare(group, 2000, 0.05, steps);
-        assertTrue(crowded >= Tuning.CROWDED_STEPS && crowded < steps, "crowded in " + crowded + " steps");
+        // in one tile, and in all
+        for (int circles : new int[] {1200, 2000}) {
+            int crowded = compare(group, 0, heap(circles, 0.05), steps);
+            assertTrue(crowded >= Tuning.CROWDED_STEPS && crowded < steps, "crowded in " + crowded + " steps");
+        }
     }
 }
