@@ -82,6 +82,9 @@ public final class OclgrindGate {
             agreeInSmallSteps(Scene.PEBBLES, 33, strategy, 2, 4096);
             agreeInSmallSteps(pile(), 10, strategy, 2, 0);
         }
+        // contacts that no tile of two tilings holds, few of them and too many
+        agreeInSmallSteps(crossing(), 4, IndexStrategy.grid(), 2, 0);
+        agreeInSmallSteps(crossing(), 12, IndexStrategy.grid(), 2, 0);
         // lists more contacts than there is room for, and is sorted again
         agreeInSmallSteps(pile(), 52, IndexStrategy.grid(), 1, 1);
         // more contacts in a tile than fit into local memory
@@ -103,6 +106,16 @@ public final class OclgrindGate {
         return new Scene("pile", 0, -1, 0.5f, (world, circles) -> {
             for (int i = 0; i < circles; i++) {
                 world.addCircle(0.5f + 0.0001f * i, 0.5f, 0.04f, 1 + i % 3);
+            }
+        });
+    }
+
+    /** Circles on both sides of a place where borders of the first two tilings cross: 24 radii from the left, 15 from below. */
+    private static Scene crossing() {
+        return new Scene("crossing", 0, -1, 0.5f, (world, circles) -> {
+            for (int i = 0; i < circles; i++) {
+                float side = i % 2 == 0 ? -0.012f : 0.012f;
+                world.addCircle(0.48f + side + 0.0001f * i, 0.30f + side, 0.02f, 1 + i % 3);
             }
         });
     }
