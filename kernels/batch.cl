@@ -144,7 +144,7 @@ static void c2d_batch_live(int tile, int tiles, int tilings, __global const int8
     }
     bool near = false;
     for (int which = 0; which < (tilings == 3 && tiling == 1 ? 3 : 0); which++) {
-        const int last = c2d_around(tile, 1, which, false, table);
+        const int last = c2d_farther(tile, 1, which, table);
         near |= tileStart[C2D_PARTS * last] < tileStart[C2D_PARTS * (last + 1)];
     }
     if (own.x < own.y || near || tileStart[C2D_PARTS * tile] < tileStart[C2D_PARTS * (tile + 1)]) {

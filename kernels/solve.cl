@@ -116,18 +116,13 @@ static void c2d_solve_bodies(int first, int end, int colours, __local float8 *bo
     }
 }
 
-// What a tiling `begins` with, before its contacts: nothing; the start of a substep; the end of one and the start of the next.
-#define C2D_NOTHING 0
-#define C2D_KICK 1
-#define C2D_MOVE_AND_KICK 2
-
 // A tile of the first tiling: the circles' own share, then its contacts; `copies` for crossing contacts. Where bodies fit into
 // local memory they are read and written once, whatever the colours are.
-static void c2d_solve_first(int8 tile, bool move, bool copies, C2D_WORLD, __local float8 *bodies, __local int *places) {
+static void c2d_solve_first_tile(int8 tile, bool move, bool copies, C2D_WORLD, __local float8 *bodies, __local int *places) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const int circles = tile.s3 - tile.s2;
-    const bool fits = tile.s5 != 0;
+    const bool fits = (tile.s4 & 1) != 0;
     for (int m = item; m < circles; m += items) {
         const int place = C2D_MEMBERS[tile.s2 + m];
         const float8 body = c2d_integrated(C2D_BODY[place], place, move, true, C2D_CIRCLES_HERE);
@@ -140,17 +135,35 @@ static void c2d_solve_first(int8 tile, bool move, bool copies, C2D_WORLD, __loca
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     if (fits) {
-        c2d_solve_bodies(tile.s0, tile.s1, tile.s4, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_HERE);
+        c2d_solve_bodies(tile.s0, tile.s1, tile.s4 / 2, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_HERE);
         for (int m = item; m < circles; m += items) {
             C2D_BODY[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
         }
     } else {
-        c2d_solve_tile(tile.s0, tile.s1, tile.s4, C2D_SOLVE_HERE);
+        c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, C2D_SOLVE_HERE);
     }
     if (copies) {
         barrier(CLK_GLOBAL_MEM_FENCE);
-        c2d_crossing_copy(tile.s6, heap, status, world);
+        c2d_crossing_copy(tile, heap, status, world);
     }
+}
+
+// The first tiling, work-groups as for batch_local.cl: the start of a substep, after the end of the one before if there is one, `move`.
+// `crossing`: the last of three tilings has no launch.
+__kernel void c2d_solve_first(C2D_WORLD, int move, __local float8 *bodies, __local int *places, int crossing) {
+    const int group = (int)get_group_id(0);
+    if (status[C2D_STALLED] != 0u) {
+        return;
+    }
+    const bool copies = crossing && status[C2D_CROWDED] == 0u;
+#if C2D_GPU
+    for (int turn = group; turn < C2D_LIVE[0]; turn += (int)get_num_groups(0)) {
+        c2d_solve_first_tile(C2D_SOLVES[turn], move, copies, heap, status, world, bodies, places);
+        barrier(CLK_LOCAL_MEM_FENCE);
+    }
+#else
+    c2d_solve_first_tile(C2D_SOLVES[group], move, copies, heap, status, world, bodies, places);
+#endif
 }
 
 // The last two of three tilings, by one work-group, where crossing contacts are too many for anything else.
@@ -160,33 +173,18 @@ static void c2d_solve_crowded(C2D_WORLD) {
         const int tiles = C2D_GPU ? C2D_LIVE[tiling] : own.C2D_COLUMNS * own.C2D_ROWS;
         for (int turn = 0; turn < tiles; turn++) {
             const int8 tile = C2D_SOLVES[own.C2D_FIRST + turn];
-            c2d_solve_tile(tile.s0, tile.s1, tile.s4, C2D_SOLVE_HERE);
+            c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, C2D_SOLVE_HERE);
         }
     }
 }
 
-static void c2d_solve_any(int8 tile, int begins, bool crosses, C2D_WORLD, __local float8 *bodies, __local int *places) {
-    if (begins == C2D_KICK || begins == C2D_MOVE_AND_KICK) {
-        c2d_solve_first(tile, begins == C2D_MOVE_AND_KICK, crosses, heap, status, world, bodies, places);
-        return;
-    }
-    if (crosses) {
-        c2d_crossing_solve(tile.s6, heap, status, world, bodies, places);
-    }
-    c2d_solve_tile(tile.s0, tile.s1, tile.s4, C2D_SOLVE_HERE);
-}
-
-// A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share. `crossing`: the last of three
-// tilings has no launch, crossing.cl.
-__kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, __local float8 *bodies, __local int *places,
-                        int crossing) {
+// Another tiling, which begins with tile `first`.
+__kernel void c2d_solve(C2D_WORLD, int tiling, int first, __local float8 *bodies, __local int *places, int crossing) {
     const int group = (int)get_group_id(0);
     if (status[C2D_STALLED] != 0u) {
         return;
     }
-    const bool crowded = status[C2D_CROWDED] != 0u;
-    const bool crosses = crossing && !crowded;
-    if (crossing && crowded && begins == C2D_NOTHING) {
+    if (crossing && status[C2D_CROWDED] != 0u) {
         if (group == 0) {
             c2d_solve_crowded(heap, status, world);
         }
@@ -194,11 +192,18 @@ __kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, __loca
     }
 #if C2D_GPU
     for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
-        c2d_solve_any(C2D_SOLVES[firstTile + turn], begins, crosses, heap, status, world, bodies, places);
-        barrier(CLK_LOCAL_MEM_FENCE);
+        const int8 tile = C2D_SOLVES[first + turn];
+        if (crossing) {
+            c2d_crossing_solve(tile, heap, status, world, bodies, places);
+        }
+        c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, C2D_SOLVE_HERE);
     }
 #else
-    c2d_solve_any(C2D_SOLVES[firstTile + group], begins, crosses, heap, status, world, bodies, places);
+    const int8 tile = C2D_SOLVES[first + group];
+    if (crossing) {
+        c2d_crossing_solve(tile, heap, status, world, bodies, places);
+    }
+    c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, C2D_SOLVE_HERE);
 #endif
 }
 

@@ -91,7 +91,7 @@ final class Heap {
         want(wanted, WALLS, 16L * room);
         want(wanted, KICKED, 8L * room);
         want(wanted, FROM, 4L * room);
-        want(wanted, CROSSING, 64L * (room / 32 + 64));
+        want(wanted, CROSSING, 80L * (room / 32 + 64));
         want(wanted, RULE, 4L * Substeps.NUMBERS);
         long levelBytes = 0;
         long tilingBytes = 0;

@@ -7,11 +7,6 @@ import java.util.List;
 
 /** Host code of {@code kernels/solve.cl}: a pass over the contacts, a tiling at a time, in the order of {@link Tiles}. */
 final class Solve {
-    /** What comes before a tiling: {@code C2D_NOTHING} and so on. */
-    private static final int NOTHING = 0;
-
-    private static final int KICK = 1;
-    private static final int MOVE_AND_KICK = 2;
     /** {@code C2D_LANES}. */
     private static final int CROSSING_LANES = 48;
 
@@ -30,41 +25,46 @@ final class Solve {
     Solve(Session session, Program program) {
         this.session = session;
         this.program = program;
-        moveAndFirst = new Kernel(session, program, "c2d_solve");
-        kickAndFirst = new Kernel(session, program, "c2d_solve");
+        moveAndFirst = new Kernel(session, program, "c2d_solve_first");
+        kickAndFirst = new Kernel(session, program, "c2d_solve_first");
         rescale = new Kernel(session, program, "c2d_rescale");
     }
 
     void bind(SmallWorld world) {
-        bind(moveAndFirst, world, 0, MOVE_AND_KICK);
-        bind(kickAndFirst, world, 0, KICK);
+        bindFirst(moveAndFirst, world, 1);
+        bindFirst(kickAndFirst, world, 0);
         rescale.arguments(world.known()).range(Math.max(1, world.circles()), world.group());
         count = world.tiles().tilings - 1;
         for (int k = 0; k < count; k++) {
             if (k == others.size()) {
                 others.add(new Kernel(session, program, "c2d_solve"));
             }
-            bind(others.get(k), world, k + 1, NOTHING);
+            bind(others.get(k), world, k + 1);
         }
         mayCross = world.tiles().crossing();
         crossing = !mayCross;
         crossing(mayCross);
     }
 
-    private static void bind(Kernel kernel, SmallWorld world, int tiling, int begins) {
+    private static void bindFirst(Kernel kernel, SmallWorld world, int move) {
+        kernel.arguments(
+                        world.known(),
+                        move,
+                        new Kernel.Local(32L * Tuning.TILE_CIRCLES),
+                        new Kernel.Local(4L * Tuning.TILE_CIRCLES))
+                .groups(world.tiles().count(0), world.firstTileGroup());
+    }
+
+    private static void bind(Kernel kernel, SmallWorld world, int tiling) {
         Tiles tiles = world.tiles();
-        boolean first = begins != NOTHING;
-        boolean crosses = tiling == 1 && tiles.crossing();
-        int bodies = first ? Tuning.TILE_CIRCLES : crosses ? 2 * CROSSING_LANES : 1;
-        int places = first ? Tuning.TILE_CIRCLES : crosses ? 4 * CROSSING_LANES + 1 : 1;
+        int lanes = tiling == 1 && tiles.crossing() ? CROSSING_LANES : 1;
         kernel.arguments(
                         world.known(),
                         tiling,
                         tiles.first(tiling),
-                        begins,
-                        new Kernel.Local(32L * bodies),
-                        new Kernel.Local(4L * places))
-                .groups(tiles.count(tiling), first ? world.firstTileGroup() : world.tileGroup());
+                        new Kernel.Local(64L * lanes),
+                        new Kernel.Local(8L * lanes + 4))
+                .groups(tiles.count(tiling), world.tileGroup());
     }
 
     /** Whether crossing contacts are done with the second tiling: {@code kernels/crossing.cl}. */
