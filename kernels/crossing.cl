@@ -7,9 +7,11 @@
 #define C2D_COPIES C2D_AT(float8, crossing)
 #define C2D_COPIED C2D_AT(float2, found)
 
+static int c2d_crossing_near(int which, int8 tile) { return which == 0 ? tile.s5 : which == 1 ? tile.s6 : tile.s7; }
+
 // The crossing contact of a lane of a tile, or -1.
 static int c2d_crossing_of(int lane, int8 tile) {
-    const int near = lane < C2D_CROSSING ? tile.s5 : lane < 2 * C2D_CROSSING ? tile.s6 : tile.s7;
+    const int near = c2d_crossing_near(lane / C2D_CROSSING, tile);
     return lane % C2D_CROSSING < C2D_NEAR_COUNT(near) ? C2D_NEAR_FIRST(near) + lane % C2D_CROSSING : -1;
 }
 
@@ -50,11 +52,12 @@ static void c2d_crossing_pass(int at, int end, float8 now, bool isOwn, __global 
 }
 
 // The crossing contacts near a tile of the second tiling, a colour at a time, by one work-group. `bodies`, `places`: of both
-// circles of each lane; then how many colours there are.
+// circles of each lane, then what is remembered of the contact, and how many colours there are.
 static void c2d_crossing_solve(int8 tile, C2D_WORLD, __local float8 *bodies, __local int *places) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
+    __local float2 *memory = (__local float2 *)(bodies + 2 * C2D_LANES);
     __local int *colours = places + 2 * C2D_LANES;
     if (C2D_NEAR_COUNT(tile.s5) + C2D_NEAR_COUNT(tile.s6) + C2D_NEAR_COUNT(tile.s7) == 0) {
         return;
@@ -71,6 +74,7 @@ static void c2d_crossing_solve(int8 tile, C2D_WORLD, __local float8 *bodies, __l
         if (c >= 0) {
             bodies[2 * lane] = C2D_COPIES[2 * c];
             bodies[2 * lane + 1] = C2D_COPIES[2 * c + 1];
+            memory[lane] = C2D_COPIED[c];
             atomic_max(colours, C2D_ROLE_COLOUR(own.z) + 1);
         }
     }
@@ -82,10 +86,10 @@ static void c2d_crossing_solve(int8 tile, C2D_WORLD, __local float8 *bodies, __l
             const int4 own = c < 0 ? (int4)(0, 0, -1, 0) : C2D_CROSSES[c];
             if (C2D_ROLE_COLOUR(own.z) == colour) {
                 const int role = lane / C2D_CROSSING;
-                const int end = 2 * C2D_CROSSING * (role + 1);
+                const int end = 2 * (C2D_CROSSING * role + C2D_NEAR_COUNT(c2d_crossing_near(role, tile)));
                 float8 a = bodies[2 * lane];
                 float8 b = bodies[2 * lane + 1];
-                float2 remembered = C2D_COPIED[c];
+                float2 remembered = memory[lane];
                 c2d_visit(&a, &b, &remembered, own.x, own.y, C2D_ID, C2D_KICKED, numbers);
                 c2d_crossing_pass(2 * lane, end, a, C2D_ROLE(own.z, 1, 0) == role, C2D_BODY, bodies, places);
                 c2d_crossing_pass(2 * lane + 1, end, b, C2D_ROLE(own.z, 1, 1) == role, C2D_BODY, bodies, places);

@@ -4,35 +4,43 @@
 #define C2D_SOLVE                                                                                                      \
     __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int *other, int capacity,                \
         __global const int *batch
+#define C2D_NEXT_HERE(e, end) c2d_next_of(e, end, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH)
 #define C2D_SOLVE_HERE C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH
 
+// What a work-item of a GPU knows of its next contact before it solves this one: its circles, and what is remembered of it.
+typedef struct {
+    int2 pair;
+    float2 memory;
+} c2d_next;
+
+static c2d_next c2d_next_of(int e, int end, __global const float2 *memory, __global const int *other, int capacity,
+                            __global const int *batch) {
+    c2d_next next = {(int2)(0, 0), (float2)(0.0f, 0.0f)};
+    if (C2D_GPU && e < end) {
+        const int k = batch[capacity + e];
+        next.pair = (int2)(batch[k], other[k]);
+        next.memory = memory[e];
+    }
+    return next;
+}
+
 // The contacts of a tile, from `first` to `end`, a colour at a time, by one work-group. On a GPU, a work-item reads which its next
-// contact is, and what is remembered of it, before it solves this one: nobody else changes that.
-static void c2d_solve_tile(int first, int end, int colours, C2D_SOLVE) {
+// contact is, and what is remembered of it, before it solves this one: nobody else changes that. `next` is its first.
+static void c2d_solve_tile(int first, int end, int colours, c2d_next next, C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *solved = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
-    int2 nextPair = (int2)(0, 0);
-    float2 nextMemory = (float2)(0.0f, 0.0f);
-    if (C2D_GPU && colours > 0 && first + item < end) {
-        nextPair = (int2)(batch[solved[first + item]], other[solved[first + item]]);
-        nextMemory = memory[first + item];
-    }
     int stop = colours > 1 ? colourStart[1] : end;
     for (int colour = 0, from = first; colour < colours; colour++) {
         const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
         for (; from < stop; from += items) {
             const int e = from + item;
             const bool own = e < stop;
-            const int2 pair = C2D_GPU || !own ? nextPair : (int2)(batch[solved[e]], other[solved[e]]);
-            float2 remembered = C2D_GPU || !own ? nextMemory : memory[e];
-            const int next = min(from + items, stop) + item;
-            if (C2D_GPU && next < nextStop) {
-                nextPair = (int2)(batch[solved[next]], other[solved[next]]);
-                nextMemory = memory[next];
-            }
+            const int2 pair = C2D_GPU || !own ? next.pair : (int2)(batch[solved[e]], other[solved[e]]);
+            float2 remembered = C2D_GPU || !own ? next.memory : memory[e];
+            next = c2d_next_of(min(from + items, stop) + item, nextStop, memory, other, capacity, batch);
             if (own) {
                 float8 a = body[pair.x];
                 float8 b = body[pair.y];
@@ -140,7 +148,8 @@ static void c2d_solve_first_tile(int8 tile, bool move, bool copies, C2D_WORLD, _
             C2D_BODY[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
         }
     } else {
-        c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, C2D_SOLVE_HERE);
+        const c2d_next next = C2D_NEXT_HERE(tile.s0 + item, tile.s1);
+        c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, next, C2D_SOLVE_HERE);
     }
     if (copies) {
         barrier(CLK_GLOBAL_MEM_FENCE);
@@ -173,7 +182,8 @@ static void c2d_solve_crowded(C2D_WORLD) {
         const int tiles = C2D_GPU ? C2D_LIVE[tiling] : own.C2D_COLUMNS * own.C2D_ROWS;
         for (int turn = 0; turn < tiles; turn++) {
             const int8 tile = C2D_SOLVES[own.C2D_FIRST + turn];
-            c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, C2D_SOLVE_HERE);
+            const c2d_next next = C2D_NEXT_HERE(tile.s0 + (int)get_local_id(0), tile.s1);
+            c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, next, C2D_SOLVE_HERE);
         }
     }
 }
@@ -193,17 +203,19 @@ __kernel void c2d_solve(C2D_WORLD, int tiling, int first, __local float8 *bodies
 #if C2D_GPU
     for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
         const int8 tile = C2D_SOLVES[first + turn];
+        const c2d_next next = C2D_NEXT_HERE(tile.s0 + (int)get_local_id(0), tile.s1);
         if (crossing) {
             c2d_crossing_solve(tile, heap, status, world, bodies, places);
         }
-        c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, C2D_SOLVE_HERE);
+        c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, next, C2D_SOLVE_HERE);
     }
 #else
     const int8 tile = C2D_SOLVES[first + group];
+    const c2d_next next = C2D_NEXT_HERE(0, 0);
     if (crossing) {
         c2d_crossing_solve(tile, heap, status, world, bodies, places);
     }
-    c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, C2D_SOLVE_HERE);
+    c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, next, C2D_SOLVE_HERE);
 #endif
 }
 

@@ -62,7 +62,7 @@ final class Solve {
                         world.known(),
                         tiling,
                         tiles.first(tiling),
-                        new Kernel.Local(64L * lanes),
+                        new Kernel.Local(72L * lanes),
                         new Kernel.Local(8L * lanes + 4))
                 .groups(tiles.count(tiling), world.tileGroup());
     }
