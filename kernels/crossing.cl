@@ -15,25 +15,58 @@ static int c2d_crossing_of(int lane, int8 tile) {
     return lane % C2D_CROSSING < C2D_NEAR_COUNT(near) ? C2D_NEAR_FIRST(near) + lane % C2D_CROSSING : -1;
 }
 
-// Copies what crossing contacts need of a tile of the first tiling, which is done. By one work-group.
-static void c2d_crossing_copy(int8 tile, C2D_WORLD) {
+// Copies what crossing contacts need of a tile of the first tiling, which is done. By one work-group; `own` is that of its lane.
+static void c2d_crossing_copy(int8 tile, int4 own, C2D_WORLD) {
     for (int lane = (int)get_local_id(0); lane < C2D_LANES; lane += (int)get_local_size(0)) {
         const int c = c2d_crossing_of(lane, tile);
         if (c >= 0) {
             const int role = lane / C2D_CROSSING + 1;
-            const int4 own = C2D_CROSSES[c];
-            if (C2D_ROLE(own.z, 0, 0) == role) {
-                C2D_COPIES[2 * c] = C2D_BODY[own.x];
+            const int4 now = lane == (int)get_local_id(0) ? own : C2D_CROSSES[c];
+            if (C2D_ROLE(now.z, 0, 0) == role) {
+                C2D_COPIES[2 * c] = C2D_BODY[now.x];
             }
-            if (C2D_ROLE(own.z, 0, 1) == role) {
-                C2D_COPIES[2 * c + 1] = C2D_BODY[own.y];
+            if (C2D_ROLE(now.z, 0, 1) == role) {
+                C2D_COPIES[2 * c + 1] = C2D_BODY[now.y];
             }
             // there is a circle in that tile, always
             if (role == 3) {
-                C2D_COPIED[c] = C2D_MEMORY[own.w];
+                C2D_COPIED[c] = C2D_MEMORY[now.w];
             }
         }
     }
+}
+
+// Crossing contacts in local memory: of each lane both circles, `bodies`, then what is remembered; their `places`, and then of each
+// lane the roles.
+#define C2D_LANE_MEMORY(bodies) ((__local float2 *)((bodies) + 2 * C2D_LANES))
+#define C2D_LANE_ROLES(places) ((places) + 2 * C2D_LANES)
+
+// Reads those near a tile of the second tiling; how many colours they may have. By one work-group.
+static int c2d_crossing_read(int8 tile, C2D_WORLD, __local float8 *bodies, __local int *places) {
+    const int item = (int)get_local_id(0);
+    __local int *most = places + 3 * C2D_LANES;
+    if (C2D_NEAR_COUNT(tile.s5) + C2D_NEAR_COUNT(tile.s6) + C2D_NEAR_COUNT(tile.s7) == 0) {
+        return 0;
+    }
+    if (item == 0) {
+        *most = 0;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int lane = item; lane < C2D_LANES; lane += (int)get_local_size(0)) {
+        const int c = c2d_crossing_of(lane, tile);
+        const int4 own = c < 0 ? (int4)(-1, -1, -1, -1) : C2D_CROSSES[c];
+        places[2 * lane] = own.x;
+        places[2 * lane + 1] = own.y;
+        C2D_LANE_ROLES(places)[lane] = own.z;
+        if (c >= 0) {
+            bodies[2 * lane] = C2D_COPIES[2 * c];
+            bodies[2 * lane + 1] = C2D_COPIES[2 * c + 1];
+            C2D_LANE_MEMORY(bodies)[lane] = C2D_COPIED[c];
+            atomic_max(most, C2D_ROLE_COLOUR(own.z) + 1);
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    return *most;
 }
 
 // What a visit made of a circle goes to the next contact of it, or, after the last, to the tile that has the circle.
@@ -51,55 +84,17 @@ static void c2d_crossing_pass(int at, int end, float8 now, bool isOwn, __global 
     }
 }
 
-// The crossing contacts near a tile of the second tiling, a colour at a time, by one work-group. `bodies`, `places`: of both
-// circles of each lane, then what is remembered of the contact, and how many colours there are.
-static void c2d_crossing_solve(int8 tile, C2D_WORLD, __local float8 *bodies, __local int *places) {
-    const int item = (int)get_local_id(0);
-    const int items = (int)get_local_size(0);
-    const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
-    __local float2 *memory = (__local float2 *)(bodies + 2 * C2D_LANES);
-    __local int *colours = places + 2 * C2D_LANES;
-    if (C2D_NEAR_COUNT(tile.s5) + C2D_NEAR_COUNT(tile.s6) + C2D_NEAR_COUNT(tile.s7) == 0) {
-        return;
+// Keeps what a visit made of the contact of a lane.
+static void c2d_crossing_keep(int lane, int8 tile, float8 a, float8 b, float2 remembered, __global float8 *body,
+                              __global float2 *memory, __global const int4 *crosses, __local float8 *bodies,
+                              __local const int *places) {
+    const int role = lane / C2D_CROSSING;
+    const int roles = C2D_LANE_ROLES(places)[lane];
+    const int end = 2 * (C2D_CROSSING * role + C2D_NEAR_COUNT(c2d_crossing_near(role, tile)));
+    c2d_crossing_pass(2 * lane, end, a, C2D_ROLE(roles, 1, 0) == role, body, bodies, places);
+    c2d_crossing_pass(2 * lane + 1, end, b, C2D_ROLE(roles, 1, 1) == role, body, bodies, places);
+    // there is a circle in that tile, too
+    if (role == 0) {
+        memory[crosses[c2d_crossing_of(lane, tile)].w] = remembered;
     }
-    if (item == 0) {
-        *colours = 0;
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
-    for (int lane = item; lane < C2D_LANES; lane += items) {
-        const int c = c2d_crossing_of(lane, tile);
-        const int4 own = c < 0 ? (int4)(-1, -1, 0, 0) : C2D_CROSSES[c];
-        places[2 * lane] = own.x;
-        places[2 * lane + 1] = own.y;
-        if (c >= 0) {
-            bodies[2 * lane] = C2D_COPIES[2 * c];
-            bodies[2 * lane + 1] = C2D_COPIES[2 * c + 1];
-            memory[lane] = C2D_COPIED[c];
-            atomic_max(colours, C2D_ROLE_COLOUR(own.z) + 1);
-        }
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
-    const int most = *colours;
-    for (int colour = 0; colour < most; colour++) {
-        for (int lane = item; lane < C2D_LANES; lane += items) {
-            const int c = c2d_crossing_of(lane, tile);
-            const int4 own = c < 0 ? (int4)(0, 0, -1, 0) : C2D_CROSSES[c];
-            if (C2D_ROLE_COLOUR(own.z) == colour) {
-                const int role = lane / C2D_CROSSING;
-                const int end = 2 * (C2D_CROSSING * role + C2D_NEAR_COUNT(c2d_crossing_near(role, tile)));
-                float8 a = bodies[2 * lane];
-                float8 b = bodies[2 * lane + 1];
-                float2 remembered = memory[lane];
-                c2d_visit(&a, &b, &remembered, own.x, own.y, C2D_ID, C2D_KICKED, numbers);
-                c2d_crossing_pass(2 * lane, end, a, C2D_ROLE(own.z, 1, 0) == role, C2D_BODY, bodies, places);
-                c2d_crossing_pass(2 * lane + 1, end, b, C2D_ROLE(own.z, 1, 1) == role, C2D_BODY, bodies, places);
-                // and in this one
-                if (role == 0) {
-                    C2D_MEMORY[own.w] = remembered;
-                }
-            }
-        }
-        barrier(CLK_LOCAL_MEM_FENCE);
-    }
-    barrier(CLK_GLOBAL_MEM_FENCE);
 }

@@ -24,36 +24,65 @@ static c2d_next c2d_next_of(int e, int end, __global const float2 *memory, __glo
     return next;
 }
 
-// The contacts of a tile, from `first` to `end`, a colour at a time, by one work-group. On a GPU, a work-item reads which its next
-// contact is, and what is remembered of it, before it solves this one: nobody else changes that. `next` is its first.
-static void c2d_solve_tile(int first, int end, int colours, c2d_next next, C2D_SOLVE) {
+// The contacts of a tile, a colour at a time, by one work-group; before them those `crossing` colours that are in local memory. On a
+// GPU, a work-item reads which its next contact is, and what is remembered of it, before it solves this one: nobody else changes
+// that. `next` is its first.
+static void c2d_solve_tile(int8 tile, int crossing, c2d_next next, C2D_SOLVE, __global const int4 *crosses,
+                           __local float8 *bodies, __local int *places) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
+    const int colours = tile.s4 / 2;
     const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *solved = batch + capacity;
-    __global const int *colourStart = batch + 2 * capacity + first;
-    int stop = colours > 1 ? colourStart[1] : end;
-    for (int colour = 0, from = first; colour < colours; colour++) {
-        const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
-        for (; from < stop; from += items) {
-            const int e = from + item;
-            const bool own = e < stop;
-            const int2 pair = C2D_GPU || !own ? next.pair : (int2)(batch[solved[e]], other[solved[e]]);
-            float2 remembered = C2D_GPU || !own ? next.memory : memory[e];
-            next = c2d_next_of(min(from + items, stop) + item, nextStop, memory, other, capacity, batch);
+    __global const int *colourStart = batch + 2 * capacity + tile.s0;
+    int from = tile.s0;
+    int stop = colours > 1 ? colourStart[1] : tile.s1;
+    for (int colour = -crossing; colour < colours; colour++) {
+        const bool isCrossing = colour < 0;
+        const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : tile.s1;
+        const int to = isCrossing ? C2D_LANES : stop;
+        for (int at = isCrossing ? 0 : from; at < to; at += items) {
+            const int e = at + item;
+            bool own = e < to;
+            int2 pair = next.pair;
+            float2 remembered = next.memory;
+            float8 a;
+            float8 b;
+            if (isCrossing) {
+                own = own && C2D_ROLE_COLOUR(C2D_LANE_ROLES(places)[e]) == colour + crossing;
+                if (own) {
+                    pair = (int2)(places[2 * e], places[2 * e + 1]);
+                    remembered = C2D_LANE_MEMORY(bodies)[e];
+                    a = bodies[2 * e];
+                    b = bodies[2 * e + 1];
+                }
+            } else {
+                if (!C2D_GPU && own) {
+                    pair = (int2)(batch[solved[e]], other[solved[e]]);
+                    remembered = memory[e];
+                }
+                next = c2d_next_of(min(at + items, stop) + item, nextStop, memory, other, capacity, batch);
+                if (own) {
+                    a = body[pair.x];
+                    b = body[pair.y];
+                }
+            }
             if (own) {
-                float8 a = body[pair.x];
-                float8 b = body[pair.y];
-                if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
+                const bool changed = c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers);
+                if (isCrossing) {
+                    c2d_crossing_keep(e, tile, a, b, remembered, body, memory, crosses, bodies, places);
+                } else if (changed) {
                     body[pair.x] = a;
                     body[pair.y] = b;
                     memory[e] = remembered;
                 }
             }
         }
-        from = stop;
-        stop = nextStop;
-        barrier(CLK_GLOBAL_MEM_FENCE);
+        if (!isCrossing) {
+            from = stop;
+            stop = nextStop;
+        }
+        barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     }
 }
 
@@ -131,6 +160,9 @@ static void c2d_solve_first_tile(int8 tile, bool move, bool copies, C2D_WORLD, _
     const int items = (int)get_local_size(0);
     const int circles = tile.s3 - tile.s2;
     const bool fits = (tile.s4 & 1) != 0;
+    // read early, for that takes a while
+    const int lane = copies && item < C2D_LANES ? c2d_crossing_of(item, tile) : -1;
+    const int4 crossing = lane < 0 ? (int4)(0, 0, 0, 0) : C2D_CROSSES[lane];
     for (int m = item; m < circles; m += items) {
         const int place = C2D_MEMBERS[tile.s2 + m];
         const float8 body = c2d_integrated(C2D_BODY[place], place, move, true, C2D_CIRCLES_HERE);
@@ -149,11 +181,11 @@ static void c2d_solve_first_tile(int8 tile, bool move, bool copies, C2D_WORLD, _
         }
     } else {
         const c2d_next next = C2D_NEXT_HERE(tile.s0 + item, tile.s1);
-        c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, next, C2D_SOLVE_HERE);
+        c2d_solve_tile(tile, 0, next, C2D_SOLVE_HERE, C2D_CROSSES, bodies, places);
     }
     if (copies) {
         barrier(CLK_GLOBAL_MEM_FENCE);
-        c2d_crossing_copy(tile, heap, status, world);
+        c2d_crossing_copy(tile, crossing, heap, status, world);
     }
 }
 
@@ -175,47 +207,39 @@ __kernel void c2d_solve_first(C2D_WORLD, int move, __local float8 *bodies, __loc
 #endif
 }
 
-// The last two of three tilings, by one work-group, where crossing contacts are too many for anything else.
-static void c2d_solve_crowded(C2D_WORLD) {
-    for (int tiling = 2; tiling > 0; tiling--) {
-        const int8 own = C2D_TILING_TABLE[tiling];
-        const int tiles = C2D_GPU ? C2D_LIVE[tiling] : own.C2D_COLUMNS * own.C2D_ROWS;
-        for (int turn = 0; turn < tiles; turn++) {
-            const int8 tile = C2D_SOLVES[own.C2D_FIRST + turn];
-            const c2d_next next = C2D_NEXT_HERE(tile.s0 + (int)get_local_id(0), tile.s1);
-            c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, next, C2D_SOLVE_HERE);
-        }
-    }
+// A tile of another tiling, after the crossing contacts near it if it does those.
+static void c2d_solve_other_tile(int8 tile, bool crossing, C2D_WORLD, __local float8 *bodies, __local int *places) {
+    const c2d_next next = C2D_NEXT_HERE(tile.s0 + (int)get_local_id(0), tile.s1);
+    const int colours = crossing ? c2d_crossing_read(tile, heap, status, world, bodies, places) : 0;
+    c2d_solve_tile(tile, colours, next, C2D_SOLVE_HERE, C2D_CROSSES, bodies, places);
 }
 
-// Another tiling, which begins with tile `first`.
+// Another tiling, which begins with tile `first`. Where crossing contacts are too many for it, one work-group does the last
+// tiling and then this one.
 __kernel void c2d_solve(C2D_WORLD, int tiling, int first, __local float8 *bodies, __local int *places, int crossing) {
+    const bool crowded = crossing && status[C2D_CROWDED] != 0u;
     const int group = (int)get_group_id(0);
-    if (status[C2D_STALLED] != 0u) {
-        return;
-    }
-    if (crossing && status[C2D_CROWDED] != 0u) {
-        if (group == 0) {
-            c2d_solve_crowded(heap, status, world);
-        }
+    if (status[C2D_STALLED] != 0u || (crowded && group > 0)) {
         return;
     }
 #if C2D_GPU
-    for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
-        const int8 tile = C2D_SOLVES[first + turn];
-        const c2d_next next = C2D_NEXT_HERE(tile.s0 + (int)get_local_id(0), tile.s1);
-        if (crossing) {
-            c2d_crossing_solve(tile, heap, status, world, bodies, places);
+    const int groups = crowded ? 1 : (int)get_num_groups(0);
+    for (int now = crowded ? 2 : tiling; now >= tiling; now--) {
+        const int from = C2D_TILING_TABLE[now].C2D_FIRST;
+        for (int turn = group; turn < C2D_LIVE[now]; turn += groups) {
+            c2d_solve_other_tile(C2D_SOLVES[from + turn], crossing && !crowded, heap, status, world, bodies, places);
         }
-        c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, next, C2D_SOLVE_HERE);
     }
 #else
-    const int8 tile = C2D_SOLVES[first + group];
-    const c2d_next next = C2D_NEXT_HERE(0, 0);
-    if (crossing) {
-        c2d_crossing_solve(tile, heap, status, world, bodies, places);
+    if (!crowded) {
+        c2d_solve_other_tile(C2D_SOLVES[first + group], crossing, heap, status, world, bodies, places);
     }
-    c2d_solve_tile(tile.s0, tile.s1, tile.s4 / 2, next, C2D_SOLVE_HERE);
+    for (int now = 2; crowded && now > 0; now--) {
+        const int8 all = C2D_TILING_TABLE[now];
+        for (int tile = 0; tile < all.C2D_COLUMNS * all.C2D_ROWS; tile++) {
+            c2d_solve_other_tile(C2D_SOLVES[all.C2D_FIRST + tile], false, heap, status, world, bodies, places);
+        }
+    }
 #endif
 }
 

@@ -63,7 +63,7 @@ final class Solve {
                         tiling,
                         tiles.first(tiling),
                         new Kernel.Local(72L * lanes),
-                        new Kernel.Local(8L * lanes + 4))
+                        new Kernel.Local(12L * lanes + 4))
                 .groups(tiles.count(tiling), world.tileGroup());
     }
 
