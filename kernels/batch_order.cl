@@ -184,10 +184,12 @@ static void c2d_batch_order_any(int tile, int place, int tiles, int tilings, C2D
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
                          C2D_WHERE, C2D_TILE_START, C2D_SOLVES + place, own, stalled, fits, C2D_TURN_OF, counts);
+#if C2D_GPU
     barrier(CLK_GLOBAL_MEM_FENCE);
     if (tilings == 3 && !stalled) {
         c2d_batch_crossing(tile, heap, status, world, C2D_SOLVES + place);
     }
+#endif
 }
 
 // All tilings, work-groups as for batch_local.cl.

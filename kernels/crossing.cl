@@ -1,7 +1,8 @@
 // Contacts that neither of the first two tilings holds, where there are three: each crosses a border of the first along one axis
 // and one of the second along the other, so that they are few. They are solved in the launch of the second tiling, before its own:
 // each tile of it that has one of their circles solves all that are near, from the same copies, the same way, and keeps what
-// is its own. The copies are made in the launch before. That saves a launch a substep. Which are near which tile: batch_order.cl.
+// is its own. The copies are made in the launch before. That saves a launch a substep, on a
+// GPU; processors have one, which costs them less. Which are near which tile: batch_order.cl.
 
 // In the order of solving: the circles of a crossing contact after the first tiling, and what is remembered of it then.
 #define C2D_COPIES C2D_AT(float8, crossing)

@@ -6,6 +6,9 @@
 #define C2D_KEPT 8
 #define C2D_KEPT_PAIRS C2D_AT(int, bodyBefore)
 
+// Candidates that are read at once: on a GPU each is a long way to memory, of a processor several only fill the registers.
+#define C2D_AT_ONCE (C2D_GPU ? 4 : 1)
+
 // Puts circle j into the list of circle i, which fills up from its `end`; returns what is still free.
 static int c2d_find_put(int i, int j, int free, int end, bool folded, __global int *other, __global int2 *found) {
     int at = free - 1;
@@ -48,11 +51,12 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
                 const int firstBucket = folded ? bucket : bucket - (right - left);
                 const bool home = same && row == y && (!folded || column == x);
                 const int first = home ? i + 1 : bucketStart[firstBucket];
-                // read by fours, for each is a way to memory
-                for (int last = bucketStart[bucket + 1] - 1; last >= first; last -= 4) {
-                    const float8 there[4] = {body[last], body[max(last - 1, first)], body[max(last - 2, first)],
-                                             body[max(last - 3, first)]};
-                    for (int turn = 0; turn < 4 && last - turn >= first; turn++) {
+                for (int last = bucketStart[bucket + 1] - 1; last >= first; last -= C2D_AT_ONCE) {
+                    float8 there[C2D_AT_ONCE];
+                    for (int turn = 0; turn < C2D_AT_ONCE; turn++) {
+                        there[turn] = body[max(last - turn, first)];
+                    }
+                    for (int turn = 0; turn < C2D_AT_ONCE && last - turn >= first; turn++) {
                         const int j = last - turn;
                         if (!c2d_near(own, there[turn], rule, horizon, fall)) {
                             continue;

@@ -161,7 +161,7 @@ static void c2d_solve_first_tile(int8 tile, bool move, bool copies, C2D_WORLD, _
     const int circles = tile.s3 - tile.s2;
     const bool fits = (tile.s4 & 1) != 0;
     // read early, for that takes a while
-    const int lane = copies && item < C2D_LANES ? c2d_crossing_of(item, tile) : -1;
+    const int lane = C2D_GPU && copies && item < C2D_LANES ? c2d_crossing_of(item, tile) : -1;
     const int4 crossing = lane < 0 ? (int4)(0, 0, 0, 0) : C2D_CROSSES[lane];
     for (int m = item; m < circles; m += items) {
         const int place = C2D_MEMBERS[tile.s2 + m];
@@ -183,10 +183,12 @@ static void c2d_solve_first_tile(int8 tile, bool move, bool copies, C2D_WORLD, _
         const c2d_next next = C2D_NEXT_HERE(tile.s0 + item, tile.s1);
         c2d_solve_tile(tile, 0, next, C2D_SOLVE_HERE, C2D_CROSSES, bodies, places);
     }
+#if C2D_GPU
+    barrier(CLK_GLOBAL_MEM_FENCE);
     if (copies) {
-        barrier(CLK_GLOBAL_MEM_FENCE);
         c2d_crossing_copy(tile, crossing, heap, status, world);
     }
+#endif
 }
 
 // The first tiling, work-groups as for batch_local.cl: the start of a substep, after the end of the one before if there is one, `move`.
@@ -217,29 +219,21 @@ static void c2d_solve_other_tile(int8 tile, bool crossing, C2D_WORLD, __local fl
 // Another tiling, which begins with tile `first`. Where crossing contacts are too many for it, one work-group does the last
 // tiling and then this one.
 __kernel void c2d_solve(C2D_WORLD, int tiling, int first, __local float8 *bodies, __local int *places, int crossing) {
-    const bool crowded = crossing && status[C2D_CROWDED] != 0u;
     const int group = (int)get_group_id(0);
-    if (status[C2D_STALLED] != 0u || (crowded && group > 0)) {
+    if (status[C2D_STALLED] != 0u) {
         return;
     }
 #if C2D_GPU
+    const bool crowded = crossing && status[C2D_CROWDED] != 0u;
     const int groups = crowded ? 1 : (int)get_num_groups(0);
     for (int now = crowded ? 2 : tiling; now >= tiling; now--) {
         const int from = C2D_TILING_TABLE[now].C2D_FIRST;
-        for (int turn = group; turn < C2D_LIVE[now]; turn += groups) {
+        for (int turn = group; turn < (crowded && group > 0 ? 0 : C2D_LIVE[now]); turn += groups) {
             c2d_solve_other_tile(C2D_SOLVES[from + turn], crossing && !crowded, heap, status, world, bodies, places);
         }
     }
 #else
-    if (!crowded) {
-        c2d_solve_other_tile(C2D_SOLVES[first + group], crossing, heap, status, world, bodies, places);
-    }
-    for (int now = 2; crowded && now > 0; now--) {
-        const int8 all = C2D_TILING_TABLE[now];
-        for (int tile = 0; tile < all.C2D_COLUMNS * all.C2D_ROWS; tile++) {
-            c2d_solve_other_tile(C2D_SOLVES[all.C2D_FIRST + tile], false, heap, status, world, bodies, places);
-        }
-    }
+    c2d_solve_other_tile(C2D_SOLVES[first + group], false, heap, status, world, bodies, places);
 #endif
 }
 

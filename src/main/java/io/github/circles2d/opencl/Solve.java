@@ -41,7 +41,7 @@ final class Solve {
             }
             bind(others.get(k), world, k + 1);
         }
-        mayCross = world.tiles().crossing();
+        mayCross = world.tiles().crossing() && world.asOnGpu();
         crossing = !mayCross;
         crossing(mayCross);
     }
@@ -57,7 +57,7 @@ final class Solve {
 
     private static void bind(Kernel kernel, SmallWorld world, int tiling) {
         Tiles tiles = world.tiles();
-        int lanes = tiling == 1 && tiles.crossing() ? CROSSING_LANES : 1;
+        int lanes = tiling == 1 && tiles.crossing() && world.asOnGpu() ? CROSSING_LANES : 1;
         kernel.arguments(
                         world.known(),
                         tiling,

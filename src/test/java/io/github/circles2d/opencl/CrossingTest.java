@@ -125,7 +125,7 @@ class CrossingTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {0, 7, 64})
+    @ValueSource(ints = {1, 7, 64})
     void tooManyAreNotAndOnlyAsLongAsTheyAre(int group) {
         int steps = 2 * Tuning.CROWDED_STEPS + 20;
         // in one tile, and in all
