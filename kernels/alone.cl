@@ -78,9 +78,8 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float8 *bodi
         }
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         for (int tile = 0; tile < (stalled ? 0 : tiles); tile++) {
-            // the first, then from the last to the second
-            const int8 own = C2D_SOLVES[tile == 0 ? 0 : tiles - tile];
-            c2d_solve_bodies(own.s0, own.s1, own.s4 / 2, bodies, circles, 0, C2D_SOLVE_HERE);
+            const int8 own = C2D_SOLVES[tile];
+            c2d_solve_bodies(own.s0, own.s1, own.s4, bodies, circles, 0, C2D_SOLVE_HERE);
         }
     }
     for (int i = item; i < circles; i += items) {

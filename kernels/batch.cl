@@ -7,6 +7,19 @@
 // tile it was counted as, and after that its code; that part. Then, in the order of solving: `solved`, of each contact its circles;
 // and, from the first contact of a tile on, where its colours begin. `tileStart`: the first contact of each part of each tile.
 
+#define C2D_SIDE s1
+#define C2D_COLUMNS s2
+#define C2D_ROWS s3
+#define C2D_FIRST s4
+
+static int c2d_tile(int2 cell, int8 tiling) {
+    int column = (cell.x + tiling.s0) / tiling.C2D_SIDE;
+    int row = (cell.y + tiling.s0) / tiling.C2D_SIDE;
+    column = column < tiling.C2D_COLUMNS ? column : column % tiling.C2D_COLUMNS;
+    row = row < tiling.C2D_ROWS ? row : row % tiling.C2D_ROWS;
+    return tiling.C2D_FIRST + column * tiling.C2D_ROWS + row;
+}
+
 // The contacts of a tile, and its circles, are counted in so many parts, by rows of cells: what is of one row lies together in
 // memory.
 #define C2D_PARTS 8
@@ -134,20 +147,15 @@ static int2 c2d_members(int tile, int tiles, __global const int *tileStart) {
     return (int2)(tileStart[C2D_PARTS * (tiles + tile)] - contacts, tileStart[C2D_PARTS * (tiles + tile + 1)] - contacts);
 }
 
-// Lists a tile if there is anything in it, or crossing contacts near it; whoever comes first, for tiles of one tiling have nothing to do with each other.
+// Lists a tile if there is anything in it; whoever comes first, for tiles of one tiling have nothing to do with each other.
 static void c2d_batch_live(int tile, int tiles, int tilings, __global const int8 *table, __global const int *tileStart,
                            __global int *live) {
     const int2 own = tile < table[1].C2D_FIRST ? c2d_members(tile, tiles, tileStart) : (int2)(0, 0);
-    int tiling = 0;
-    while (tiling + 1 < tilings && tile >= table[tiling + 1].C2D_FIRST) {
-        tiling++;
-    }
-    bool near = false;
-    for (int which = 0; which < (tilings == 3 && tiling == 1 ? 3 : 0); which++) {
-        const int last = c2d_farther(tile, 1, which, table);
-        near |= tileStart[C2D_PARTS * last] < tileStart[C2D_PARTS * (last + 1)];
-    }
-    if (own.x < own.y || near || tileStart[C2D_PARTS * tile] < tileStart[C2D_PARTS * (tile + 1)]) {
+    if (own.x < own.y || tileStart[C2D_PARTS * tile] < tileStart[C2D_PARTS * (tile + 1)]) {
+        int tiling = 0;
+        while (tiling + 1 < tilings && tile >= table[tiling + 1].C2D_FIRST) {
+            tiling++;
+        }
         live[C2D_TILINGS + table[tiling].C2D_FIRST + atomic_inc(&live[tiling])] = tile;
     }
 }

@@ -5,8 +5,8 @@
 #define C2D_TURN_BITS 15
 #define C2D_REMEMBERED C2D_AT(const float2, found)
 
-// What solve.cl needs of a tile: its contacts, from .s0 to .s1 of `solved`; its circles, from .s2 to .s3 of `members`; how many
-// colours, twice, and one more if it fits, .s4; crossing contacts near it, .s567. By tile, or by place in `live`.
+// What solve.cl needs of a tile: its contacts, from .s0 to .s1 of `solved`, in .s4 colours; its circles, from .s2 to .s3 of `members`;
+// whether it fits, .s5. By tile, or by place in `live`.
 #define C2D_SOLVES C2D_AT(int8, solves)
 static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
 
@@ -79,7 +79,7 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global c
         barrier(CLK_LOCAL_MEM_FENCE);
     }
     if (item == 0) {
-        *solves = (int8)(first, end, own.x, own.y, 2 * colours + fits, 0, 0, 0);
+        *solves = (int8)(first, end, own.x, own.y, colours, fits, 0, 0);
     }
 }
 
@@ -103,77 +103,7 @@ static uint c2d_live_most(int tilings, __global const int *live) {
     return (uint)most;
 }
 
-// Crossing contacts, crossing.cl: of a tile of the last tiling so many at most, and near a tile of another those of three such tiles.
-#define C2D_CROSSING 16
-#define C2D_LANES (3 * C2D_CROSSING)
-// Those of the whole world. With more of either, the world is crowded.
-#define C2D_CROSSINGS (world.circles / 32 + 64)
-
-// In the order of solving: the circles of a crossing contact, its roles, and its turn in that order.
-#define C2D_CROSSES ((__global int4 *)(C2D_AT(float8, crossing) + 2 * C2D_CROSSINGS))
-// The roles of a contact: which tile has a circle, by how much farther its tile of the last tiling lies; of two tilings and both
-// circles. Then the colour.
-#define C2D_ROLE(roles, tiling, circle) ((roles) >> 2 * (2 * (tiling) + (circle)) & 3)
-#define C2D_ROLE_COLOUR(roles) ((roles) >> 8)
-// Those near a tile that are of one tile: first, and how many.
-#define C2D_NEAR(first, count) ((first) << 5 | (count))
-#define C2D_NEAR_FIRST(near) ((near) >> 5)
-#define C2D_NEAR_COUNT(near) ((near) & 31)
-
-// The role of a circle in both tilings, the second in the fifth bit and up.
-static int c2d_role(int2 cell, __global const int8 *tilings) {
-    const int side = tilings[0].C2D_SIDE;
-    const int column = (cell.x + tilings[2].s0) / side;
-    const int row = (cell.y + tilings[2].s0) / side;
-    int roles = 0;
-    for (int tiling = 0; tiling < 2; tiling++) {
-        const int left = column - (cell.x + tilings[tiling].s0) / side;
-        const int below = row - (cell.y + tilings[tiling].s0) / side;
-        roles |= (left | below << 1) << 4 * tiling;
-    }
-    return roles;
-}
-
-// Of a tile of the last tiling, once its contacts are in order. By one work-group.
-static void c2d_batch_crosses(int tile, int before, C2D_WORLD) {
-    __global const float *rule = C2D_RULE;
-    const int8 all = C2D_LEVEL_TABLE[0];
-    const int first = C2D_TILE_START[C2D_PARTS * tile];
-    const int end = C2D_TILE_START[C2D_PARTS * (tile + 1)];
-    if (end - first > C2D_CROSSING || end - before > C2D_CROSSINGS) {
-        if (get_local_id(0) == 0) {
-            atomic_max(&status[C2D_CROWDED], 1u);
-        }
-        return;
-    }
-    for (int e = first + (int)get_local_id(0); e < end; e += (int)get_local_size(0)) {
-        const int k = C2D_SOLVED[e];
-        const int i = C2D_BATCH[k];
-        const int j = C2D_OTHER[k];
-        const int a = c2d_role(c2d_finest_cell(C2D_BODY[i].s01, all, rule), C2D_TILING_TABLE);
-        const int b = c2d_role(c2d_finest_cell(C2D_BODY[j].s01, all, rule), C2D_TILING_TABLE);
-        C2D_CROSSES[e - before] = (int4)(i, j, a | b << 2 | C2D_TINT[k] << 8, e);
-    }
-}
-
-// Of three tilings: what a tile must know of crossing contacts. By one work-group.
-static void c2d_batch_crossing(int tile, C2D_WORLD, __global int8 *solves) {
-    __global const int8 *tilings = C2D_TILING_TABLE;
-    const int before = C2D_TILE_START[C2D_PARTS * tilings[2].C2D_FIRST];
-    if (tile >= tilings[2].C2D_FIRST) {
-        c2d_batch_crosses(tile, before, heap, status, world);
-        return;
-    }
-    const int tiling = tile < tilings[1].C2D_FIRST ? 0 : 1;
-    for (int near = (int)get_local_id(0); near < 3; near += (int)get_local_size(0)) {
-        const int last = c2d_farther(tile, tiling, tiling == 0 ? near + 1 : near, tilings);
-        const int first = C2D_TILE_START[C2D_PARTS * last];
-        const int count = C2D_TILE_START[C2D_PARTS * (last + 1)] - first;
-        ((__global int *)solves)[5 + near] = C2D_NEAR(first - before, min(count, C2D_CROSSING));
-    }
-}
-
-static void c2d_batch_order_any(int tile, int place, int tiles, int tilings, C2D_WORLD, __local int *counts) {
+static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __local int *counts) {
     const bool stalled = status[C2D_STALLED] != 0u;
     const bool isFirst = !stalled && tile < C2D_TILING_TABLE[1].C2D_FIRST;
     const int2 own = isFirst ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
@@ -184,12 +114,6 @@ static void c2d_batch_order_any(int tile, int place, int tiles, int tilings, C2D
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
                          C2D_WHERE, C2D_TILE_START, C2D_SOLVES + place, own, stalled, fits, C2D_TURN_OF, counts);
-#if C2D_GPU
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    if (tilings == 3 && !stalled) {
-        c2d_batch_crossing(tile, heap, status, world, C2D_SOLVES + place);
-    }
-#endif
 }
 
 // All tilings, work-groups as for batch_local.cl.
@@ -202,10 +126,10 @@ __kernel void c2d_batch_order(C2D_WORLD, int tiles, int tilings, __local int *co
     int turn = group;
     for (int place = c2d_live_place(turn, tilings, C2D_TILING_TABLE, C2D_LIVE); place >= 0;
          place = c2d_live_place(turn, tilings, C2D_TILING_TABLE, C2D_LIVE)) {
-        c2d_batch_order_any(C2D_LIVE[C2D_TILINGS + place], place, tiles, tilings, heap, status, world, counts);
+        c2d_batch_order_any(C2D_LIVE[C2D_TILINGS + place], place, tiles, heap, status, world, counts);
         turn += (int)get_num_groups(0);
     }
 #else
-    c2d_batch_order_any(group, group, tiles, tilings, heap, status, world, counts);
+    c2d_batch_order_any(group, group, tiles, heap, status, world, counts);
 #endif
 }

@@ -6,7 +6,7 @@
 #define C2D_KEPT 8
 #define C2D_KEPT_PAIRS C2D_AT(int, bodyBefore)
 
-// Candidates that are read at once: on a GPU each is a long way to memory, of a processor several only fill the registers.
+// Candidates that are read at once: on a GPU each is a long way to memory, on a processor several only fill the registers.
 #define C2D_AT_ONCE (C2D_GPU ? 4 : 1)
 
 // Puts circle j into the list of circle i, which fills up from its `end`; returns what is still free.

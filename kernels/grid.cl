@@ -13,7 +13,6 @@ static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *ti
     if (k == 0) {
         status[C2D_CONTACTS] = 0u;
         status[C2D_FASTEST] = 0u;
-        status[C2D_CROWDED] = 0u;
     }
 }
 

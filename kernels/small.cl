@@ -35,7 +35,6 @@ typedef struct {
     uint tileStart;
     uint solves;
     uint live;
-    uint crossing;
     uint rule;
     int circles;
     // Contacts that there is room for.
@@ -70,7 +69,6 @@ typedef struct {
 #define C2D_RULE C2D_AT(const float, rule)
 // Once a detection has what it needs of the one before, the parts of that one hold the order of solving: kernels/batch.cl.
 #define C2D_BATCH C2D_AT(int, bodyBefore)
-#define C2D_SOLVED (C2D_BATCH + world.capacity)
 #define C2D_BY_TILE C2D_AT(int, otherBefore)
 #define C2D_MEMBERS C2D_AT(int, idBefore)
 #define C2D_TINT C2D_AT(ushort, listStartBefore)

@@ -4,85 +4,48 @@
 #define C2D_SOLVE                                                                                                      \
     __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int *other, int capacity,                \
         __global const int *batch
-#define C2D_NEXT_HERE(e, end) c2d_next_of(e, end, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH)
 #define C2D_SOLVE_HERE C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH
 
-// What a work-item of a GPU knows of its next contact before it solves this one: its circles, and what is remembered of it.
-typedef struct {
-    int2 pair;
-    float2 memory;
-} c2d_next;
-
-static c2d_next c2d_next_of(int e, int end, __global const float2 *memory, __global const int *other, int capacity,
-                            __global const int *batch) {
-    c2d_next next = {(int2)(0, 0), (float2)(0.0f, 0.0f)};
-    if (C2D_GPU && e < end) {
-        const int k = batch[capacity + e];
-        next.pair = (int2)(batch[k], other[k]);
-        next.memory = memory[e];
-    }
-    return next;
-}
-
-// The contacts of a tile, a colour at a time, by one work-group; before them those `crossing` colours that are in local memory. On a
-// GPU, a work-item reads which its next contact is, and what is remembered of it, before it solves this one: nobody else changes
-// that. `next` is its first.
-static void c2d_solve_tile(int8 tile, int crossing, c2d_next next, C2D_SOLVE, __global const int4 *crosses,
-                           __local float8 *bodies, __local int *places) {
+// The contacts of a tile, from `first` to `end`, a colour at a time, by one work-group. On a GPU, a work-item reads which its next
+// contact is, and what is remembered of it, before it solves this one: nobody else changes that.
+static void c2d_solve_tile(int first, int end, int colours, C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
-    const int colours = tile.s4 / 2;
     const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *solved = batch + capacity;
-    __global const int *colourStart = batch + 2 * capacity + tile.s0;
-    int from = tile.s0;
-    int stop = colours > 1 ? colourStart[1] : tile.s1;
-    for (int colour = -crossing; colour < colours; colour++) {
-        const bool isCrossing = colour < 0;
-        const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : tile.s1;
-        const int to = isCrossing ? C2D_LANES : stop;
-        for (int at = isCrossing ? 0 : from; at < to; at += items) {
-            const int e = at + item;
-            bool own = e < to;
-            int2 pair = next.pair;
-            float2 remembered = next.memory;
-            float8 a;
-            float8 b;
-            if (isCrossing) {
-                own = own && C2D_ROLE_COLOUR(C2D_LANE_ROLES(places)[e]) == colour + crossing;
-                if (own) {
-                    pair = (int2)(places[2 * e], places[2 * e + 1]);
-                    remembered = C2D_LANE_MEMORY(bodies)[e];
-                    a = bodies[2 * e];
-                    b = bodies[2 * e + 1];
-                }
-            } else {
-                if (!C2D_GPU && own) {
-                    pair = (int2)(batch[solved[e]], other[solved[e]]);
-                    remembered = memory[e];
-                }
-                next = c2d_next_of(min(at + items, stop) + item, nextStop, memory, other, capacity, batch);
-                if (own) {
-                    a = body[pair.x];
-                    b = body[pair.y];
-                }
+    __global const int *colourStart = batch + 2 * capacity + first;
+    int2 nextPair = (int2)(0, 0);
+    float2 nextMemory = (float2)(0.0f, 0.0f);
+    if (C2D_GPU && colours > 0 && first + item < end) {
+        nextPair = (int2)(batch[solved[first + item]], other[solved[first + item]]);
+        nextMemory = memory[first + item];
+    }
+    int stop = colours > 1 ? colourStart[1] : end;
+    for (int colour = 0, from = first; colour < colours; colour++) {
+        const int nextStop = colour + 2 < colours ? colourStart[colour + 2] : end;
+        for (; from < stop; from += items) {
+            const int e = from + item;
+            const bool own = e < stop;
+            const int2 pair = C2D_GPU || !own ? nextPair : (int2)(batch[solved[e]], other[solved[e]]);
+            float2 remembered = C2D_GPU || !own ? nextMemory : memory[e];
+            const int next = min(from + items, stop) + item;
+            if (C2D_GPU && next < nextStop) {
+                nextPair = (int2)(batch[solved[next]], other[solved[next]]);
+                nextMemory = memory[next];
             }
             if (own) {
-                const bool changed = c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers);
-                if (isCrossing) {
-                    c2d_crossing_keep(e, tile, a, b, remembered, body, memory, crosses, bodies, places);
-                } else if (changed) {
+                float8 a = body[pair.x];
+                float8 b = body[pair.y];
+                if (c2d_visit(&a, &b, &remembered, pair.x, pair.y, id, kicked, numbers)) {
                     body[pair.x] = a;
                     body[pair.y] = b;
                     memory[e] = remembered;
                 }
             }
         }
-        if (!isCrossing) {
-            from = stop;
-            stop = nextStop;
-        }
-        barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+        from = stop;
+        stop = nextStop;
+        barrier(CLK_GLOBAL_MEM_FENCE);
     }
 }
 
@@ -153,19 +116,23 @@ static void c2d_solve_bodies(int first, int end, int colours, __local float8 *bo
     }
 }
 
-// A tile of the first tiling: the circles' own share, then its contacts; `copies` for crossing contacts. Where bodies fit into
-// local memory they are read and written once, whatever the colours are.
-static void c2d_solve_first_tile(int8 tile, bool move, bool copies, C2D_WORLD, __local float8 *bodies, __local int *places) {
+// What a tiling `begins` with, before its contacts: nothing; the start of a substep; the end of one and the start of the next.
+#define C2D_NOTHING 0
+#define C2D_KICK 1
+#define C2D_MOVE_AND_KICK 2
+
+// A tile: the circles' own share, then its contacts. Where bodies fit into local memory they are read and written once, whatever
+// the colours are.
+static void c2d_solve_any(int8 tile, int begins, C2D_WORLD, __local float8 *bodies, __local int *places) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
-    const int circles = tile.s3 - tile.s2;
-    const bool fits = (tile.s4 & 1) != 0;
-    // read early, for that takes a while
-    const int lane = C2D_GPU && copies && item < C2D_LANES ? c2d_crossing_of(item, tile) : -1;
-    const int4 crossing = lane < 0 ? (int4)(0, 0, 0, 0) : C2D_CROSSES[lane];
+    const bool stalled = status[C2D_STALLED] != 0u;
+    const int circles = begins == C2D_NOTHING || stalled ? 0 : tile.s3 - tile.s2;
+    const int colours = stalled ? 0 : tile.s4;
+    const bool fits = begins != C2D_NOTHING && tile.s5 != 0;
     for (int m = item; m < circles; m += items) {
         const int place = C2D_MEMBERS[tile.s2 + m];
-        const float8 body = c2d_integrated(C2D_BODY[place], place, move, true, C2D_CIRCLES_HERE);
+        const float8 body = c2d_integrated(C2D_BODY[place], place, begins == C2D_MOVE_AND_KICK, true, C2D_CIRCLES_HERE);
         if (fits) {
             c2d_body_to(bodies, m, C2D_TILE_CIRCLES, body);
             places[m] = place;
@@ -174,66 +141,26 @@ static void c2d_solve_first_tile(int8 tile, bool move, bool copies, C2D_WORLD, _
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    if (fits) {
-        c2d_solve_bodies(tile.s0, tile.s1, tile.s4 / 2, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_HERE);
-        for (int m = item; m < circles; m += items) {
-            C2D_BODY[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
-        }
-    } else {
-        const c2d_next next = C2D_NEXT_HERE(tile.s0 + item, tile.s1);
-        c2d_solve_tile(tile, 0, next, C2D_SOLVE_HERE, C2D_CROSSES, bodies, places);
-    }
-#if C2D_GPU
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    if (copies) {
-        c2d_crossing_copy(tile, crossing, heap, status, world);
-    }
-#endif
-}
-
-// The first tiling, work-groups as for batch_local.cl: the start of a substep, after the end of the one before if there is one, `move`.
-// `crossing`: the last of three tilings has no launch.
-__kernel void c2d_solve_first(C2D_WORLD, int move, __local float8 *bodies, __local int *places, int crossing) {
-    const int group = (int)get_group_id(0);
-    if (status[C2D_STALLED] != 0u) {
+    if (!fits) {
+        c2d_solve_tile(tile.s0, tile.s1, colours, C2D_SOLVE_HERE);
         return;
     }
-    const bool copies = crossing && status[C2D_CROWDED] == 0u;
+    c2d_solve_bodies(tile.s0, tile.s1, colours, bodies, C2D_TILE_CIRCLES, places, C2D_SOLVE_HERE);
+    for (int m = item; m < circles; m += items) {
+        C2D_BODY[places[m]] = c2d_body_of(bodies, m, C2D_TILE_CIRCLES);
+    }
+}
+
+// A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share.
+__kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, __local float8 *bodies, __local int *places) {
+    const int group = (int)get_group_id(0);
 #if C2D_GPU
-    for (int turn = group; turn < C2D_LIVE[0]; turn += (int)get_num_groups(0)) {
-        c2d_solve_first_tile(C2D_SOLVES[turn], move, copies, heap, status, world, bodies, places);
+    for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
+        c2d_solve_any(C2D_SOLVES[firstTile + turn], begins, heap, status, world, bodies, places);
         barrier(CLK_LOCAL_MEM_FENCE);
     }
 #else
-    c2d_solve_first_tile(C2D_SOLVES[group], move, copies, heap, status, world, bodies, places);
-#endif
-}
-
-// A tile of another tiling, after the crossing contacts near it if it does those.
-static void c2d_solve_other_tile(int8 tile, bool crossing, C2D_WORLD, __local float8 *bodies, __local int *places) {
-    const c2d_next next = C2D_NEXT_HERE(tile.s0 + (int)get_local_id(0), tile.s1);
-    const int colours = crossing ? c2d_crossing_read(tile, heap, status, world, bodies, places) : 0;
-    c2d_solve_tile(tile, colours, next, C2D_SOLVE_HERE, C2D_CROSSES, bodies, places);
-}
-
-// Another tiling, which begins with tile `first`. Where crossing contacts are too many for it, one work-group does the last
-// tiling and then this one.
-__kernel void c2d_solve(C2D_WORLD, int tiling, int first, __local float8 *bodies, __local int *places, int crossing) {
-    const int group = (int)get_group_id(0);
-    if (status[C2D_STALLED] != 0u) {
-        return;
-    }
-#if C2D_GPU
-    const bool crowded = crossing && status[C2D_CROWDED] != 0u;
-    const int groups = crowded ? 1 : (int)get_num_groups(0);
-    for (int now = crowded ? 2 : tiling; now >= tiling; now--) {
-        const int from = C2D_TILING_TABLE[now].C2D_FIRST;
-        for (int turn = group; turn < (crowded && group > 0 ? 0 : C2D_LIVE[now]); turn += groups) {
-            c2d_solve_other_tile(C2D_SOLVES[from + turn], crossing && !crowded, heap, status, world, bodies, places);
-        }
-    }
-#else
-    c2d_solve_other_tile(C2D_SOLVES[first + group], false, heap, status, world, bodies, places);
+    c2d_solve_any(C2D_SOLVES[firstTile + group], begins, heap, status, world, bodies, places);
 #endif
 }
 

@@ -18,8 +18,7 @@ final class Solve {
 
     void run() {
         n = state.substeps.numbers();
-        batch.forTiles(0, work);
-        for (int tiling = batch.tilings() - 1; tiling > 0; tiling--) {
+        for (int tiling = 0; tiling < batch.tilings(); tiling++) {
             batch.forTiles(tiling, work);
         }
     }

@@ -44,9 +44,8 @@ final class Heap {
     static final int TILE_START = 14;
     private static final int SOLVES = 15;
     private static final int LIVE = 16;
-    private static final int CROSSING = 17;
-    private static final int RULE = 18;
-    private static final int PARTS = 19;
+    private static final int RULE = 17;
+    private static final int PARTS = 18;
 
     /** What kernels count places in the heap in, bytes. */
     private static final int UNIT = 32;
@@ -91,7 +90,6 @@ final class Heap {
         want(wanted, WALLS, 16L * room);
         want(wanted, KICKED, 8L * room);
         want(wanted, FROM, 4L * room);
-        want(wanted, CROSSING, 80L * (room / 32 + 64));
         want(wanted, RULE, 4L * Substeps.NUMBERS);
         long levelBytes = 0;
         long tilingBytes = 0;

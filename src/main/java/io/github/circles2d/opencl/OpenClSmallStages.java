@@ -48,8 +48,6 @@ final class OpenClSmallStages implements SmallStages {
     private long queued;
 
     private long done;
-    /** For so many steps more, crossing contacts may be too many. */
-    private int crowded;
     /** Circles that have a place. */
     private int placed;
 
@@ -226,7 +224,7 @@ final class OpenClSmallStages implements SmallStages {
         if (now.isAlone) {
             now.alone.solve(count);
         } else {
-            now.solve.run(count, groups(), crowded());
+            now.solve.run(count, groups());
         }
     }
 
@@ -239,11 +237,6 @@ final class OpenClSmallStages implements SmallStages {
         return before == 0 || !session.device.asOnGpu(config)
                 ? Integer.MAX_VALUE
                 : before + before / 8 + Tuning.MORE_TILES;
-    }
-
-    /** Whether crossing contacts are taken to be too many for {@code kernels/crossing.cl}. */
-    boolean crowded() {
-        return crowded > 0;
     }
 
     @Override
@@ -261,7 +254,6 @@ final class OpenClSmallStages implements SmallStages {
     @Override
     public Status await() {
         Status status = state.await();
-        crowded = state.crowded() ? Tuning.CROWDED_STEPS : Math.max(0, crowded - 1);
         done += status.updates();
         return status;
     }

@@ -48,7 +48,6 @@ final class SmallKernels {
                 "find",
                 pairwise ? "find_pairs" : "find_grid",
                 "match",
-                "tiles",
                 "batch",
                 "batch_colour",
                 "batch_local",
@@ -72,15 +71,13 @@ final class SmallKernels {
                 registers,
                 List.of("solve"),
                 "detect",
-                "tiles",
                 "batch",
                 "batch_colour",
                 "batch_local",
                 "batch_order",
                 "walls",
                 "integrate",
-                "visit",
-                "crossing");
+                "visit");
     }
 
     /** Compiles the kernels for one work-group. */
@@ -92,7 +89,6 @@ final class SmallKernels {
                 List.of("alone"),
                 "detect",
                 "grid",
-                "tiles",
                 "batch",
                 "batch_colour",
                 "batch_local",
@@ -100,7 +96,6 @@ final class SmallKernels {
                 "walls",
                 "integrate",
                 "visit",
-                "crossing",
                 "solve");
     }
 

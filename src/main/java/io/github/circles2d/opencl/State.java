@@ -33,7 +33,6 @@ final class State {
 
     private float fastest;
     private int tiles;
-    private boolean crowded;
 
     private final Status done = new Status();
     private int updatesSeen;
@@ -91,7 +90,6 @@ final class State {
         updatesSeen = said.getInt(8);
         fastest = said.getFloat(12);
         tiles = said.getInt(16);
-        crowded = said.getInt(20) != 0;
         if (said.getInt(4) == TOO_DENSE) {
             throw Status.tooDense();
         }
@@ -106,11 +104,6 @@ final class State {
     /** How many tiles of a tiling had anything in them in the last step; 0 if nobody knows. */
     int tiles() {
         return tiles;
-    }
-
-    /** Whether crossing contacts were too many in the last detection to be done with the second tiling. */
-    boolean crowded() {
-        return crowded;
     }
 
     /** Says that kernels have been queued that change the circles. */

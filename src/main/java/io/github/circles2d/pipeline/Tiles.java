@@ -8,7 +8,7 @@ package io.github.circles2d.pipeline;
  * less than their contacts span, three tilings of larger tiles follow, and so on. Tiles that are too many for the circles
  * share numbers, which changes nothing of this.
  *
- * <p>Twin of {@code kernels/tiles.cl}.
+ * <p>Twin of {@code c2d_tile} of {@code kernels/batch.cl}.
  */
 public final class Tiles {
     /** The contacts of a tile, and its circles, are counted in so many parts: {@code C2D_PARTS}. */
@@ -31,7 +31,7 @@ public final class Tiles {
     /** The first tile. */
     private static final int FIRST = 4;
 
-    /** Tilings, in the order in which contacts are offered to them. Solved are the first, and then those from the last to the second. */
+    /** Tilings, in the order in which contacts are offered to them and solved. */
     public final int tilings;
     /** Tiles of all tilings. */
     public final int tiles;
@@ -82,11 +82,6 @@ public final class Tiles {
         int far = levels.circles > Tuning.MANY ? Tuning.TILE_SIDE_FAR_OF_MANY : Tuning.TILE_SIDE_FAR;
         int smallest = levels.reach > Tuning.REACH ? far : Tuning.TILE_SIDE;
         return (int) Math.min(1L << 28, (long) smallest << Tuning.TILE_SCALE * scale);
-    }
-
-    /** Whether all the contacts of the last tiling cross a border of the first and one of the second: {@code kernels/crossing.cl}. */
-    public boolean crossing() {
-        return tilings == 3;
     }
 
     /** Parts that contacts are counted in, and after them the circles of the tiles of the first tiling. */

@@ -242,9 +242,6 @@ public final class Tuning {
     /** Work-groups for tiles besides those of the step before, and an eighth of these. 1 to 1,000. */
     public static final int MORE_TILES = 8;
 
-    /** Steps for which a world that was crowded is taken to be so: C2D_CROSSING. 1 to 1,000: a step that finds out is slow. */
-    public static final int CROWDED_STEPS = 100;
-
     /** Circles up to which a tile is solved in the local memory of a work-group. 16 to 900: 36 bytes each, of at least 32 KiB. */
     public static final int TILE_CIRCLES = 540;
 
@@ -259,7 +256,7 @@ public final class Tuning {
 
     /**
      * Circles up to which one work-group does most of a detection and its substeps. 0 (never) to 10^4: local memory of GPUs holds no more,
-     * and to 2,500 one core of a processor takes no longer than two.
+     * and to 2,500 one core of a processor takes no longer than two or sixteen.
      */
     public static final int ALONE_CIRCLES = 1280;
 

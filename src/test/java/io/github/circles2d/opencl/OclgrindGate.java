@@ -82,9 +82,8 @@ public final class OclgrindGate {
             agreeInSmallSteps(Scene.PEBBLES, 33, strategy, 2, 4096);
             agreeInSmallSteps(pile(), 10, strategy, 2, 0);
         }
-        // contacts that no tile of two tilings holds, few of them and too many
-        agreeInSmallSteps(crossing(), 4, IndexStrategy.grid(), 2, 0);
-        agreeInSmallSteps(crossing(), 12, IndexStrategy.grid(), 2, 0);
+        // contacts that only the last tiling holds
+        agreeInSmallSteps(crossing(), 6, IndexStrategy.grid(), 2, 0);
         // lists more contacts than there is room for, and is sorted again
         agreeInSmallSteps(pile(), 52, IndexStrategy.grid(), 1, 1);
         // more contacts in a tile than fit into local memory
