@@ -2,15 +2,17 @@
 // and the tile fits. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
 
 // What that takes: of up to `most` contacts, entries, the codes, and which are first in their row; of up to `slots` circles, a
-// power of two, the colours and, if slots are not places, whose they are; where bins begin; how many `rows` there are, or more
+// power of two, the colours, up to 32, and, if slots are not places, whose they are; where bins begin; how many `rows` there are, or more
 // than there can be where the tile does not fit. An entry is, in the end, the slots of the two circles, with C2D_LAST in the
 // last of a row, and the number of the contact.
 #define C2D_LOCAL                                                                                                      \
-    int most, int slots, bool direct, __local ulong *masks, __local int *places, __local int2 *entries,                  \
+    int most, int slots, bool direct, __local uint *masks, __local int *places, __local int2 *entries,                  \
         __local ushort *codes, __local ushort *starts, __local int *bins, __local int *rows
 #define C2D_LOCAL_ALL most, slots, direct, masks, places, entries, codes, starts, bins, rows
 #define C2D_SLOT_BITS 15
 #define C2D_LAST (1 << 30)
+#define C2D_SLOT_I(entry) ((entry) & ((1 << C2D_SLOT_BITS) - 1))
+#define C2D_SLOT_J(entry) ((entry) >> C2D_SLOT_BITS & ((1 << C2D_SLOT_BITS) - 1))
 
 // Slots that are tried.
 #define C2D_TRIES 32
@@ -78,35 +80,41 @@ static void c2d_batch_sort(int count, __global const int *byTile, __global const
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// A row: the contacts from e on that have one code. If they are of several buckets, these share no circle.
-static void c2d_batch_colour_row(int e, int count, C2D_LOCAL, __global ushort *tint) {
-    int2 next = entries[e];
-    int2 now;
-    int last = -1;
-    ulong own = 0ul;
+// A row: the contacts from e on that have one code. If they are of several buckets, these share no circle. The colours of the next
+// contact's circles are read before this one has its own, for one waits for the other.
+static void c2d_batch_colour_row(int e, C2D_LOCAL, __global ushort *tint) {
+    int2 now = entries[e];
+    uint own = masks[C2D_SLOT_I(now.x)];
+    uint there = masks[C2D_SLOT_J(now.x)];
+    bool last;
     do {
-        now = next;
-        next = entries[min(++e, count - 1)];
-        const int i = now.x & ((1 << C2D_SLOT_BITS) - 1);
-        const int j = now.x >> C2D_SLOT_BITS & ((1 << C2D_SLOT_BITS) - 1);
-        if (i != last) {
-            if (last >= 0) {
-                masks[last] = own;
-            }
-            own = masks[i];
-            last = i;
-        }
-        const ulong there = masks[j];
-        const ulong free = ~(own | there);
-        const ulong lowest = free & (0ul - free);
-        if (free == 0ul) {
+        last = (now.x & C2D_LAST) != 0;
+        const int2 next = entries[last ? e : e + 1];
+        const int i = C2D_SLOT_I(now.x);
+        const int j = C2D_SLOT_J(now.x);
+        const int nextI = C2D_SLOT_I(next.x);
+        const int nextJ = C2D_SLOT_J(next.x);
+        uint nextOwn = masks[nextI];
+        uint nextThere = masks[nextJ];
+        const uint free = ~(own | there);
+        const uint lowest = free & (0u - free);
+        if (free == 0u) {
             *rows = C2D_FAILS;
         }
         own |= lowest;
-        masks[j] = there | lowest;
-        tint[now.y] = (ushort)(C2D_COLOURS - 1 - (int)clz(lowest));
-    } while ((now.x & C2D_LAST) == 0);
-    masks[last] = own;
+        there |= lowest;
+        masks[j] = there;
+        tint[now.y] = (ushort)(31 - (int)clz(lowest));
+        nextThere = nextJ == j ? there : nextJ == i ? own : nextThere;
+        nextOwn = nextI == i ? own : nextI == j ? there : nextOwn;
+        if (nextI != i || last) {
+            masks[i] = own;
+        }
+        own = nextOwn;
+        there = nextThere;
+        now = next;
+        e++;
+    } while (!last);
 }
 
 // Whether it did: a tile may have too many contacts, circles or colours. By one work-group.
@@ -119,7 +127,7 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
         return false;
     }
     for (int slot = item; slot < slots; slot += items) {
-        masks[slot] = 0ul;
+        masks[slot] = 0u;
         if (!direct) {
             places[slot] = -1;
         }
@@ -150,7 +158,7 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     for (int class = 0; class < (all > 0 ? c2d_batch_classes(levelCount) : 0); class++) {
         for (int row = item; row < all; row += items) {
             if (C2D_CLASS(codes[starts[row]]) == class) {
-                c2d_batch_colour_row(starts[row], count, C2D_LOCAL_ALL, tint);
+                c2d_batch_colour_row(starts[row], C2D_LOCAL_ALL, tint);
             }
         }
         barrier(CLK_LOCAL_MEM_FENCE);
@@ -169,7 +177,7 @@ static void c2d_batch_colour_tile(int tile, bool clears, bool stalled, C2D_BATCH
 }
 
 // A tiling, one work-group a tile, on a GPU that has anything in it, going round where these are more.
-__kernel void c2d_batch_colour(C2D_WORLD, int tiling, int most, int slots, __local ulong *masks, __local int *places,
+__kernel void c2d_batch_colour(C2D_WORLD, int tiling, int most, int slots, __local uint *masks, __local int *places,
                                __local int2 *entries, __local ushort *codes, __local ushort *starts, __local int *bins,
                                __local int *rows) {
     const bool direct = false;

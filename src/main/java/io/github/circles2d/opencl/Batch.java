@@ -60,7 +60,7 @@ final class Batch {
         return new Object[] {
             contacts,
             circles,
-            new Kernel.Local(8L * Math.max(1, circles)),
+            new Kernel.Local(4L * Math.max(1, circles)),
             new Kernel.Local(4L * Math.max(1, hashed ? circles : 0)),
             new Kernel.Local(8L * Math.max(1, contacts)),
             new Kernel.Local(2L * Math.max(2, contacts)),
