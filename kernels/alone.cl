@@ -31,7 +31,7 @@ __kernel C2D_ONE void c2d_alone_grid(C2D_WORLD, int allCells, int parts, __local
 
 // batch.cl. `tiles`: the tilings; what comes after `sums` is for batch_local.cl.
 __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums, int most, int slots, __local uint *masks,
-                              __local int *places, __local int2 *entries, __local ushort *codes, __local ushort *order, __local ushort *starts,
+                              __local int *places, __local int2 *entries, __local ushort *codes, __local ushort *starts,
                               __local int *bins, __local int *rows) {
     const bool direct = true;
     const int item = (int)get_local_id(0);

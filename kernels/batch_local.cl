@@ -1,14 +1,14 @@
 // Of stage batch: colours a tile as batch_colour.cl does, in the local memory of a work-group, where that is worth its while
 // and the tile fits. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
 
-// What that takes: of up to `most` contacts, entries, the codes, their order, and which are first in their row; of up to `slots`
-// circles, a power of two, the colours, up to 32, and, if slots are not places, whose they are; where bins begin; how many `rows`
-// there are, or more than there can be where the tile does not fit. An entry is the slots of the two circles, in the end with C2D_LAST
-// in the last of a row, and the number of the contact.
+// What that takes: of up to `most` contacts, entries, the codes, and which are first in their row; of up to `slots` circles, a
+// power of two, the colours, up to 32, and, if slots are not places, whose they are; where bins begin; how many `rows` there are, or more
+// than there can be where the tile does not fit. An entry is, in the end, the slots of the two circles, with C2D_LAST in the
+// last of a row, and the number of the contact.
 #define C2D_LOCAL                                                                                                      \
     int most, int slots, bool direct, __local uint *masks, __local int *places, __local int2 *entries,                  \
-        __local ushort *codes, __local ushort *order, __local ushort *starts, __local int *bins, __local int *rows
-#define C2D_LOCAL_ALL most, slots, direct, masks, places, entries, codes, order, starts, bins, rows
+        __local ushort *codes, __local ushort *starts, __local int *bins, __local int *rows
+#define C2D_LOCAL_ALL most, slots, direct, masks, places, entries, codes, starts, bins, rows
 #define C2D_SLOT_BITS 15
 #define C2D_LAST (1 << 30)
 #define C2D_SLOT_I(entry) ((entry) & ((1 << C2D_SLOT_BITS) - 1))
@@ -37,24 +37,18 @@ static int c2d_batch_slot(int place, int slots, bool direct, __local int *places
     return -1;
 }
 
-// Reads the contacts of a tile, in any order, and puts their turns in `entries` into `order`: bin by bin, those of a bucket in the
-// order of the lists. By one work-group.
-static void c2d_batch_sort(int count, __global const int *byTile, __global const int *other, int capacity,
-                           __global const int *batch, C2D_LOCAL) {
+// Puts the numbers of a tile's contacts into `entries`, bin by bin, those of a bin in the order of the lists.
+static void c2d_batch_sort(int count, __global const int *byTile, __global const int *code, __local int2 *entries,
+                           __local ushort *codes, __local ushort *turns, __local int *bins) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     __local int *start = bins + C2D_BINS;
+    for (int bin = item; bin < C2D_BINS; bin += items) {
+        bins[bin] = 0;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
     for (int e = item; e < count; e += items) {
-        const int k = byTile[e];
-        const int code = batch[capacity + k];
-        const int i = c2d_batch_slot(batch[k], slots, direct, places);
-        const int j = c2d_batch_slot(other[k], slots, direct, places);
-        entries[e] = (int2)(i | j << C2D_SLOT_BITS, k);
-        codes[e] = (ushort)code;
-        order[e] = (ushort)atomic_inc(&bins[C2D_BIN(code)]);
-        if (i < 0 || j < 0) {
-            atomic_max(rows, C2D_FAILS);
-        }
+        turns[e] = (ushort)atomic_inc(&bins[C2D_BIN(code[byTile[e]])]);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int bin = item; bin <= C2D_BINS; bin += items) {
@@ -67,35 +61,35 @@ static void c2d_batch_sort(int count, __global const int *byTile, __global const
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int e = item; e < count; e += items) {
-        starts[start[C2D_BIN(codes[e])] + order[e]] = (ushort)e;
+        const int k = byTile[e];
+        const int to = start[C2D_BIN(code[k])] + turns[e];
+        entries[to].x = k;
+        codes[to] = (ushort)code[k];
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int at = item; at < count; at += items) {
-        const int e = starts[at];
+    for (int e = item; e < count; e += items) {
         const int bin = C2D_BIN(codes[e]);
+        const int k = entries[e].x;
         int to = start[bin];
 #pragma unroll 4
         for (int o = start[bin]; o < start[bin + 1]; o++) {
-            to += entries[starts[o]].y < entries[e].y ? 1 : 0;
+            to += entries[o].x < k ? 1 : 0;
         }
-        order[to] = (ushort)e;
+        entries[to].y = k;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// A row: the contacts from a turn on that have one code. If they are of several buckets, these share no circle. The colours of
-// the next contact's circles are read before this one has its own, for one waits for the other; what that one is, before that.
-static void c2d_batch_colour_row(int turn, int count, C2D_LOCAL, __global ushort *tint) {
-    int2 now = entries[order[turn]];
-    int2 after = entries[order[min(turn + 1, count - 1)]];
+// A row: the contacts from e on that have one code. If they are of several buckets, these share no circle. The colours of the next
+// contact's circles are read before this one has its own, for one waits for the other.
+static void c2d_batch_colour_row(int e, C2D_LOCAL, __global ushort *tint) {
+    int2 now = entries[e];
     uint own = masks[C2D_SLOT_I(now.x)];
     uint there = masks[C2D_SLOT_J(now.x)];
     bool last;
     do {
         last = (now.x & C2D_LAST) != 0;
-        const int2 next = last ? now : after;
-        turn++;
-        after = entries[order[min(turn + 1, count - 1)]];
+        const int2 next = entries[last ? e : e + 1];
         const int i = C2D_SLOT_I(now.x);
         const int j = C2D_SLOT_J(now.x);
         const int nextI = C2D_SLOT_I(next.x);
@@ -119,6 +113,7 @@ static void c2d_batch_colour_row(int turn, int count, C2D_LOCAL, __global ushort
         own = nextOwn;
         there = nextThere;
         now = next;
+        e++;
     } while (!last);
 }
 
@@ -137,21 +132,24 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
             places[slot] = -1;
         }
     }
-    for (int bin = item; bin < C2D_BINS; bin += items) {
-        bins[bin] = 0;
-    }
     if (item == 0) {
         *rows = 0;
     }
+    c2d_batch_sort(count, byTile + first, batch + capacity, entries, codes, starts, bins);
+    for (int e = item; e < count; e += items) {
+        codes[e] = (ushort)batch[capacity + entries[e].y];
+    }
     barrier(CLK_LOCAL_MEM_FENCE);
-    c2d_batch_sort(count, byTile + first, other, capacity, batch, C2D_LOCAL_ALL);
-    for (int turn = item; turn < count; turn += items) {
-        const int e = order[turn];
-        if (turn + 1 == count || codes[order[turn + 1]] != codes[e]) {
-            entries[e].x |= C2D_LAST;
-        }
-        if (turn == 0 || codes[order[turn - 1]] != codes[e]) {
-            starts[atomic_inc(rows) & 0xFFFF] = (ushort)turn;
+    for (int e = item; e < count; e += items) {
+        const int k = entries[e].y;
+        const int i = c2d_batch_slot(batch[k], slots, direct, places);
+        const int j = c2d_batch_slot(other[k], slots, direct, places);
+        const bool last = e + 1 == count || codes[e + 1] != codes[e];
+        entries[e].x = i | j << C2D_SLOT_BITS | (last ? C2D_LAST : 0);
+        if (i < 0 || j < 0) {
+            atomic_max(rows, C2D_FAILS);
+        } else if (e == 0 || codes[e - 1] != codes[e]) {
+            starts[atomic_inc(rows) & 0xFFFF] = (ushort)e;
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -159,8 +157,8 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int class = 0; class < (all > 0 ? c2d_batch_classes(levelCount) : 0); class++) {
         for (int row = item; row < all; row += items) {
-            if (C2D_CLASS(codes[order[starts[row]]]) == class) {
-                c2d_batch_colour_row(starts[row], count, C2D_LOCAL_ALL, tint);
+            if (C2D_CLASS(codes[starts[row]]) == class) {
+                c2d_batch_colour_row(starts[row], C2D_LOCAL_ALL, tint);
             }
         }
         barrier(CLK_LOCAL_MEM_FENCE);
@@ -180,8 +178,8 @@ static void c2d_batch_colour_tile(int tile, bool clears, bool stalled, C2D_BATCH
 
 // A tiling, one work-group a tile, on a GPU that has anything in it, going round where these are more.
 __kernel void c2d_batch_colour(C2D_WORLD, int tiling, int most, int slots, __local uint *masks, __local int *places,
-                               __local int2 *entries, __local ushort *codes, __local ushort *order, __local ushort *starts,
-                               __local int *bins, __local int *rows) {
+                               __local int2 *entries, __local ushort *codes, __local ushort *starts, __local int *bins,
+                               __local int *rows) {
     const bool direct = false;
     const bool stalled = status[C2D_STALLED] != 0u;
     const int firstTile = C2D_TILING_TABLE[tiling].C2D_FIRST;

@@ -65,7 +65,6 @@ final class Batch {
             new Kernel.Local(8L * Math.max(1, contacts)),
             new Kernel.Local(2L * Math.max(2, contacts)),
             new Kernel.Local(2L * Math.max(2, contacts)),
-            new Kernel.Local(2L * Math.max(2, contacts)),
             new Kernel.Local(4L * (2 * BINS + 1)),
             new Kernel.Local(4)
         };

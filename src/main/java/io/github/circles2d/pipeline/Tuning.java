@@ -246,7 +246,7 @@ public final class Tuning {
     public static final int TILE_CIRCLES = 540;
 
     /**
-     * Contacts up to which a tile of the first tiling is coloured in local memory, on a GPU. 16 to 1,700: 14 bytes each and 8 for each of
+     * Contacts up to which a tile of the first tiling is coloured in local memory, on a GPU. 16 to 2,000: 12 bytes each and 8 for each of
      * its circles, of which there is room for the power of two up to these contacts.
      */
     public static final int TILE_CONTACTS = 1400;
