@@ -101,8 +101,8 @@ final class StageBytes {
             case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4 + 2 + 4) * k + 4 * (parts + members);
             // byTile, code, owner, other; tint; as if all tiles fitted into local memory; shared out among the tilings
             case "c2d_batch_colour" -> (4 + 4 + 4 + 4 + 2) * k / colourings;
-            // byTile, tint, batch, other, found; solved, memory, where; tileStart, tileColours
-            case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4 + 8 + 4) * k + 4 * parts + 4 * tiles;
+            // byTile, tint, batch, other, found; solved, memory, where; tileStart, solves of all tiles
+            case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4 + 8 + 4) * k + 4 * parts + 32 * tiles;
             // body read and written, kicked read and written, members; solved, memory read and written, as
             // if all contacts were of this first tiling; what is left for the others is not known
             case Launches.FIRST_TILING -> (64 + 16 + 4) * n + (4 + 16) * k;
