@@ -19,7 +19,7 @@ public final class SmallPipeline implements Stepper {
     private Levels used;
     private float fastest;
     private float before;
-    /** By their count, those that there were. */
+    /** By their count, those that there may be. */
     private final Substeps[] known = new Substeps[Tuning.MAX_SUBSTEPS + 1];
 
     private Substeps substeps;
@@ -30,6 +30,12 @@ public final class SmallPipeline implements Stepper {
     public SmallPipeline(WorldConfig config, SmallStages stages) {
         this.config = config;
         this.stages = stages;
+        // a world that chooses anew in every step should allocate nothing then
+        int unit = config.substeps() > 0 ? config.substeps() : Tuning.AUTO_UNIT;
+        int most = config.substeps() > 0 ? config.substeps() : Tuning.AUTO_MOST;
+        for (int count = unit; count <= most; count += unit) {
+            known[count] = Substeps.of(config, count);
+        }
     }
 
     @Override
@@ -46,8 +52,7 @@ public final class SmallPipeline implements Stepper {
     public void step() {
         await();
         int count = config.substeps() > 0 ? config.substeps() : Substeps.choose(config, population, fastest);
-        // kept, for a world that chooses anew in every step should allocate nothing
-        substeps = known[count] = known[count] == null ? Substeps.of(config, count) : known[count];
+        substeps = known[count];
         Levels now = levels[0];
         perDetection = perDetection(now);
         for (Levels wider : levels) {
