@@ -52,20 +52,18 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
                 const bool home = same && row == y && (!folded || column == x);
                 const int first = home ? i + 1 : bucketStart[firstBucket];
                 for (int last = bucketStart[bucket + 1] - 1; last >= first; last -= C2D_AT_ONCE) {
-                    const float8 a = body[last];
-                    const float8 b = C2D_GPU ? body[max(last - 1, first)] : a;
-                    const float8 c = C2D_GPU ? body[max(last - 2, first)] : a;
-                    const float8 d = C2D_GPU ? body[max(last - 3, first)] : a;
-#pragma unroll
+                    float8 there[C2D_AT_ONCE];
+                    for (int turn = 0; turn < C2D_AT_ONCE; turn++) {
+                        there[turn] = body[max(last - turn, first)];
+                    }
                     for (int turn = 0; turn < C2D_AT_ONCE && last - turn >= first; turn++) {
                         const int j = last - turn;
-                        const float8 there = turn == 0 ? a : turn == 1 ? b : turn == 2 ? c : d;
-                        if (!c2d_near(own, there, rule, horizon, fall)) {
+                        if (!c2d_near(own, there[turn], rule, horizon, fall)) {
                             continue;
                         }
                         if (folded) {
                             // a bucket holds circles of cells far apart
-                            const int4 cell = c2d_cell(there, levels, rule);
+                            const int4 cell = c2d_cell(there[turn], levels, rule);
                             if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
                                 continue;
                             }
