@@ -7,7 +7,13 @@
 #define C2D_KEPT_PAIRS C2D_AT(int, bodyBefore)
 
 // Candidates that are read at once: on a GPU each is a long way to memory, on a processor several only fill the registers.
-#define C2D_AT_ONCE (C2D_GPU ? 4 : 1)
+#if C2D_GPU
+#define C2D_AT_ONCE 4
+#define C2D_CANDIDATE there[turn]
+#else
+#define C2D_AT_ONCE 1
+#define C2D_CANDIDATE there
+#endif
 
 // Puts circle j into the list of circle i, which fills up from its `end`; returns what is still free.
 static int c2d_find_put(int i, int j, int free, int end, bool folded, __global int *other, __global int2 *found) {
@@ -52,18 +58,22 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
                 const bool home = same && row == y && (!folded || column == x);
                 const int first = home ? i + 1 : bucketStart[firstBucket];
                 for (int last = bucketStart[bucket + 1] - 1; last >= first; last -= C2D_AT_ONCE) {
+#if C2D_GPU
                     float8 there[C2D_AT_ONCE];
                     for (int turn = 0; turn < C2D_AT_ONCE; turn++) {
                         there[turn] = body[max(last - turn, first)];
                     }
+#else
+                    const float8 there = body[last];
+#endif
                     for (int turn = 0; turn < C2D_AT_ONCE && last - turn >= first; turn++) {
                         const int j = last - turn;
-                        if (!c2d_near(own, there[turn], rule, horizon, fall)) {
+                        if (!c2d_near(own, C2D_CANDIDATE, rule, horizon, fall)) {
                             continue;
                         }
                         if (folded) {
                             // a bucket holds circles of cells far apart
-                            const int4 cell = c2d_cell(there[turn], levels, rule);
+                            const int4 cell = c2d_cell(C2D_CANDIDATE, levels, rule);
                             if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
                                 continue;
                             }
