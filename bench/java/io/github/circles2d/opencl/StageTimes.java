@@ -9,6 +9,7 @@ import io.github.circles2d.bench.Layout;
 import io.github.circles2d.demo.Scene;
 import io.github.circles2d.pipeline.DeviceState;
 import io.github.circles2d.pipeline.Pipeline;
+import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.SmallPipeline;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Stepper;
@@ -57,7 +58,6 @@ public final class StageTimes {
         WorldConfig settling = config(args, scene, 60, substeps * perSecond / 60);
         FloatBuffer circle = direct(4 * circles);
         FloatBuffer velocities = direct(2 * circles);
-        float maxRadius = 0;
         Circles2D.Builder host = Circles2D.builder().device(ComputeDevice.host());
         try (Circles2D world = rows ? Layout.rows(circles).world(host) : scene.build(host, circles)) {
             var now = world.snapshot();
@@ -65,7 +65,6 @@ public final class StageTimes {
                 circle.put(4 * i, now.x(i)).put(4 * i + 1, now.y(i)).put(4 * i + 2, now.radius(i));
                 circle.put(4 * i + 3, now.mass(i));
                 velocities.put(2 * i, now.vx(i)).put(2 * i + 1, now.vy(i));
-                maxRadius = Math.max(maxRadius, now.radius(i));
             }
         }
         boolean small = config.solver() == Solver.SMALL_STEPS;
@@ -73,7 +72,7 @@ public final class StageTimes {
             Stepper stepper = small
                     ? new SmallPipeline(settling, (OpenClSmallStages) stages)
                     : new Pipeline((OpenClStages) stages);
-            stepper.upload(circle, velocities, circles, maxRadius);
+            stepper.upload(Population.of(circle, circles), velocities);
             for (int step = 0; step < before; step++) {
                 stepper.step();
                 stepper.await();
@@ -82,7 +81,7 @@ public final class StageTimes {
             if (perSecond != 60) {
                 stages.download(circle, velocities);
                 stepper = new SmallPipeline(config, (OpenClSmallStages) stages);
-                stepper.upload(circle, velocities, circles, maxRadius);
+                stepper.upload(Population.of(circle, circles), velocities);
             }
             Map<String, LongSummaryStatistics> times = new LinkedHashMap<>();
             long span = 0;

@@ -1,6 +1,8 @@
 package io.github.circles2d;
 
 import io.github.circles2d.pipeline.CircleBuffers;
+import io.github.circles2d.pipeline.Population;
+import io.github.circles2d.pipeline.Radii;
 import io.github.circles2d.pipeline.Tuning;
 import java.nio.FloatBuffer;
 import java.util.Objects;
@@ -12,7 +14,7 @@ final class CircleState implements Snapshot {
     /** What steps in the background are read back into; null without. */
     private CircleBuffers hidden;
 
-    private float maxRadius;
+    private final Radii radii = new Radii();
 
     CircleState(int capacity, boolean background) {
         shown = new CircleBuffers(capacity);
@@ -34,7 +36,7 @@ final class CircleState implements Snapshot {
                 .put(4 * slot + 1, y)
                 .put(4 * slot + 2, radius)
                 .put(4 * slot + 3, mass);
-        maxRadius = Math.max(maxRadius, radius);
+        radii.add(radius);
         setVelocity(slot, vx, vy);
         return slot;
     }
@@ -64,8 +66,9 @@ final class CircleState implements Snapshot {
         return before;
     }
 
-    float maxRadius() {
-        return maxRadius;
+    /** The circles that are shown. */
+    Population population() {
+        return radii.population(shown.circle());
     }
 
     /** FNV-1a, 64 bits, over the raw bits in slot order, 32 bits at a time. */

@@ -139,7 +139,7 @@ final class WorldState {
             background.target(circles.reserveHidden(), circles.count());
         }
         lost = true;
-        stepper.upload(circles.shown().circle(), circles.shown().velocities(), circles.count(), circles.maxRadius());
+        stepper.upload(circles.population(), circles.shown().velocities());
         lost = false;
         changed = false;
     }

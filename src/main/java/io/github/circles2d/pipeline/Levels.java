@@ -71,10 +71,15 @@ public final class Levels {
         finest = size;
         perUnit = 1 / size;
         float[] largest = new float[levels];
-        population.radii(radius -> {
-            int level = Math.min(levels(radius), largest.length - 1);
-            largest[level] = Math.max(largest[level], radius);
-        });
+        int widest = Math.min(levels(population.maxRadius()), levels - 1);
+        if (Math.min(levels(population.minRadius()), levels - 1) == widest) {
+            largest[widest] = population.circles() == 0 ? 0 : population.maxRadius();
+        } else {
+            population.radii(radius -> {
+                int level = Math.min(levels(radius), largest.length - 1);
+                largest[level] = Math.max(largest[level], radius);
+            });
+        }
         int[] made = new int[INTS * (levels + 1)];
         made[LAST_X] = (int) (width * perUnit);
         made[LAST_Y] = (int) (height * perUnit);

@@ -19,8 +19,8 @@ public final class Pipeline implements Stepper {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
-        stages.upload(circle, velocities, circles, maxRadius);
+    public void upload(Population population, FloatBuffer velocities) {
+        stages.upload(population.circle(), velocities, population.circles(), population.maxRadius());
     }
 
     /** Queues one step; waits only when {@link Tuning#STEPS_IN_FLIGHT} are queued. */

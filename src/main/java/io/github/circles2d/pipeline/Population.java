@@ -22,21 +22,11 @@ public record Population(
 
     /** The circles of a buffer. */
     public static Population of(FloatBuffer circle, int circles) {
-        if (circles == 0) {
-            return new Population(circle, 0, 1, 1, 1, 0);
-        }
-        float min = Float.MAX_VALUE;
-        float max = 0;
-        double sum = 0;
-        double squares = 0;
+        Radii radii = new Radii();
         for (int i = 0; i < circles; i++) {
-            float radius = circle.get(4 * i + 2);
-            min = Math.min(min, radius);
-            max = Math.max(max, radius);
-            sum += radius;
-            squares += (double) radius * radius;
+            radii.add(circle.get(4 * i + 2));
         }
-        return new Population(circle, circles, min, max, sum / circles, Math.PI * squares);
+        return radii.population(circle);
     }
 
     void radii(RadiusAction action) {

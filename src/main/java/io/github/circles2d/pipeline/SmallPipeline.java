@@ -39,13 +39,13 @@ public final class SmallPipeline implements Stepper {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
-        population = Population.of(circle, circles);
+    public void upload(Population circles, FloatBuffer velocities) {
+        population = circles;
         fastest = population.fastest(velocities);
         boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
         used = levels[wide ? levels.length - 1 : 0];
-        stages.upload(circle, velocities, levels, used);
+        stages.upload(population.circle(), velocities, levels, used);
     }
 
     @Override

@@ -7,11 +7,10 @@ public interface Stepper {
     /**
      * Replaces the circles. Those that were there keep their numbers and what the solver remembers of them. Waits.
      *
-     * @param circle (x, y, radius, mass) a circle, world units; direct, native order, read from 0
+     * @param population the circles; their buffer direct, in native order, read from 0
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
-     * @param maxRadius largest radius among them, world units
      */
-    void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius);
+    void upload(Population population, FloatBuffer velocities);
 
     /** Queues one step. */
     void step();
