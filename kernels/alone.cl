@@ -68,6 +68,7 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float8 *bodi
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
     const int circles = stalled ? 0 : world.circles;
+    const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
     for (int i = item; i < circles; i += items) {
         c2d_body_to(bodies, i, circles, C2D_BODY[i]);
     }

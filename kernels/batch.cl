@@ -96,11 +96,12 @@ static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const flo
 static void c2d_batch_count_at(int q, int contacts, bool asOne, __global const float8 *body, __global const int8 *levels,
                                __global const int8 *tilings, __global const float *rule, __global const int *other,
                                int capacity, __global int *batch, __global int *tileStart, __global ushort *tint) {
-    const int4 part =
-        (int4)(c2d_batch_part_of(4 * q, contacts, asOne, body, levels, tilings, rule, other, batch, tint),
-               c2d_batch_part_of(4 * q + 1, contacts, asOne, body, levels, tilings, rule, other, batch, tint),
-               c2d_batch_part_of(4 * q + 2, contacts, asOne, body, levels, tilings, rule, other, batch, tint),
-               c2d_batch_part_of(4 * q + 3, contacts, asOne, body, levels, tilings, rule, other, batch, tint));
+    int4 part = (int4)(-1, -1, -1, -1);
+#pragma unroll 1
+    for (int k = 4 * q; k < 4 * q + 4; k++) {
+        part = (int4)(part.y, part.z, part.w,
+                      c2d_batch_part_of(k, contacts, asOne, body, levels, tilings, rule, other, batch, tint));
+    }
     ((__global int4 *)(batch + capacity))[q] = c2d_batch_turns(part, tileStart);
     ((__global int4 *)(batch + 2 * capacity))[q] = part;
 }
@@ -126,11 +127,12 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     }
     const int circles = stalled ? 0 : world.circles;
     for (int q = (int)get_global_id(0); 4 * q < circles; q += (int)get_global_size(0)) {
-        const int4 part =
-            (int4)(c2d_batch_part_of_circle(4 * q, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles),
-                   c2d_batch_part_of_circle(4 * q + 1, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles),
-                   c2d_batch_part_of_circle(4 * q + 2, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles),
-                   c2d_batch_part_of_circle(4 * q + 3, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles));
+        int4 part = (int4)(-1, -1, -1, -1);
+#pragma unroll 1
+        for (int p = 4 * q; p < 4 * q + 4; p++) {
+            part = (int4)(part.y, part.z, part.w,
+                          c2d_batch_part_of_circle(p, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles));
+        }
         ((__global int4 *)C2D_TURN_OF)[q] = c2d_batch_turns(part, C2D_TILE_START);
     }
 }
@@ -164,6 +166,7 @@ __kernel void c2d_batch_fill(C2D_WORLD, int tiles, int tilings) {
     const int8 all = C2D_LEVEL_TABLE[0];
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
+#pragma unroll 1
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
         c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE, C2D_TINT);
     }

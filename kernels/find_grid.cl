@@ -40,6 +40,8 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
     const int4 ownCell = c2d_cell(own, levels, rule);
     const int levelCount = levels[0].C2D_LEVELS;
     const int end = fill ? listStart[i + 1] : 0;
+    // who fills comes here seldom, and compilers take their time over several
+    const int atOnce = fill ? 1 : C2D_AT_ONCE;
     int free = end;
     int pairs = 0;
     for (int number = ownCell.z; number < levelCount; number++) {
@@ -57,16 +59,16 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
                 const int firstBucket = folded ? bucket : bucket - (right - left);
                 const bool home = same && row == y && (!folded || column == x);
                 const int first = home ? i + 1 : bucketStart[firstBucket];
-                for (int last = bucketStart[bucket + 1] - 1; last >= first; last -= C2D_AT_ONCE) {
+                for (int last = bucketStart[bucket + 1] - 1; last >= first; last -= atOnce) {
 #if C2D_GPU
                     float8 there[C2D_AT_ONCE];
-                    for (int turn = 0; turn < C2D_AT_ONCE; turn++) {
+                    for (int turn = 0; turn < atOnce; turn++) {
                         there[turn] = body[max(last - turn, first)];
                     }
 #else
                     const float8 there = body[last];
 #endif
-                    for (int turn = 0; turn < C2D_AT_ONCE && last - turn >= first; turn++) {
+                    for (int turn = 0; turn < atOnce && last - turn >= first; turn++) {
                         const int j = last - turn;
                         if (!c2d_near(own, C2D_CANDIDATE, rule, horizon, fall)) {
                             continue;

@@ -1,9 +1,9 @@
 // A substep's share of each circle alone: at its start gravity and kicks, at its end walls and motion. One work-item a circle.
 // Twin of host.Integrate. Also how circles come into the order of the cells and back.
 
-static c2d_axis c2d_small_kick(c2d_axis a, int axis, float slowed, __global const float *rule) {
-    const float most = C2D_SPEED(axis);
-    const float velocity = a.velocity * slowed + (C2D_GAIN(axis) + a.kick);
+static c2d_axis c2d_small_kick(c2d_axis a, c2d_along along, float slowed) {
+    const float most = along.speed;
+    const float velocity = a.velocity * slowed + (along.gain + a.kick);
     const float low = velocity < most ? velocity : most;
     a.velocity = low > -most ? low : -most;
     a.kick = 0.0f;
@@ -12,8 +12,8 @@ static c2d_axis c2d_small_kick(c2d_axis a, int axis, float slowed, __global cons
 
 // What a circle needs for that.
 #define C2D_CIRCLES                                                                                                    \
-    __global const int *id, __global float2 *kicked, __global float2 *walls, __global const float *rule
-#define C2D_CIRCLES_HERE C2D_ID, C2D_KICKED, C2D_WALLS, C2D_RULE
+    __global const int *id, __global float2 *kicked, __global float2 *walls, const c2d_numbers numbers
+#define C2D_CIRCLES_HERE C2D_ID, C2D_KICKED, C2D_WALLS, numbers
 
 // Of circle i, which is as `b` says: the end of a substep, `move`, the start of one, `kick`, or both.
 static float8 c2d_integrated(float8 b, int i, bool move, bool kick, C2D_CIRCLES) {
@@ -23,14 +23,20 @@ static float8 c2d_integrated(float8 b, int i, bool move, bool kick, C2D_CIRCLES)
         const float2 u = kicked[i];
         const bool carried = u.x != 0.0f || u.y != 0.0f;
         __global float2 *both = walls + 2 * id[i];
-        x = c2d_small_move(x, 0, b.s6, b.s7, u.x, carried, both, rule);
-        y = c2d_small_move(y, 1, b.s6, b.s7, u.y, carried, both + 1, rule);
+        // one after the other: compilers take their time over what they unroll; after two turns each is where it was
+#pragma unroll 1
+        for (int axis = 0; axis < 2; axis++) {
+            const c2d_axis moved = c2d_small_move(x, axis == 0 ? numbers.x : numbers.y, b.s6, b.s7, axis == 0 ? u.x : u.y, carried,
+                                                  both + axis, numbers);
+            x = y;
+            y = moved;
+        }
     }
     if (kick) {
-        const float slowed = x.kick != 0.0f || y.kick != 0.0f ? C2D_SLOWED : 1.0f;
+        const float slowed = x.kick != 0.0f || y.kick != 0.0f ? numbers.slowed : 1.0f;
         kicked[i] = (float2)(x.kick, y.kick);
-        x = c2d_small_kick(x, 0, slowed, rule);
-        y = c2d_small_kick(y, 1, slowed, rule);
+        x = c2d_small_kick(x, numbers.x, slowed);
+        y = c2d_small_kick(y, numbers.y, slowed);
     }
     return (float8)(x.position, y.position, x.velocity, y.velocity, x.kick, y.kick, b.s6, b.s7);
 }
@@ -63,6 +69,7 @@ __kernel void c2d_integrate(C2D_WORLD, int publishes, __global float4 *circle, _
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (i < world.circles && status[C2D_STALLED] == 0u) {
+        const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
         const float8 b = c2d_integrated(C2D_BODY[i], i, true, false, C2D_CIRCLES_HERE);
         C2D_BODY[i] = b;
         if (publishes) {

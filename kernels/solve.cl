@@ -11,7 +11,6 @@
 static void c2d_solve_tile(int first, int end, int colours, C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
-    const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *solved = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
     int2 nextPair = (int2)(0, 0);
@@ -76,7 +75,6 @@ static void c2d_solve_bodies(int first, int end, int colours, __local float8 *bo
                              C2D_SOLVE) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
-    const c2d_numbers numbers = c2d_numbers_of(rule);
     __global const int *solved = batch + capacity;
     __global const int *colourStart = batch + 2 * capacity + first;
     int nextPair = 0;
@@ -130,6 +128,7 @@ static void c2d_solve_any(int8 tile, int begins, C2D_WORLD, __local float8 *bodi
     const int circles = begins == C2D_NOTHING || stalled ? 0 : tile.s3 - tile.s2;
     const int colours = stalled ? 0 : tile.s4;
     const bool fits = begins != C2D_NOTHING && tile.s5 != 0;
+    const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
     for (int m = item; m < circles; m += items) {
         const int place = C2D_MEMBERS[tile.s2 + m];
         const float8 body = c2d_integrated(C2D_BODY[place], place, begins == C2D_MOVE_AND_KICK, true, C2D_CIRCLES_HERE);

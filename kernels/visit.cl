@@ -1,29 +1,5 @@
 // The rule of one contact: Solver.SMALL_STEPS, where it is explained. Twin of host.Solve.visit.
 
-// The numbers that a visit needs: read once, for the compiler cannot know that circles are not stored over them.
-typedef struct {
-    float time;
-    float perTime;
-    float bounceFrom;
-    float restitution;
-    float push;
-    float pushMost;
-    float slop;
-    float deep;
-    float extrapolate;
-    float extrapolateUneven;
-    float uneven;
-    float impulseMost;
-    float turn;
-} c2d_numbers;
-
-static c2d_numbers c2d_numbers_of(__global const float *rule) {
-    const c2d_numbers n = {C2D_TIME, C2D_PER_TIME,    C2D_BOUNCE_FROM,        C2D_RESTITUTION, C2D_PUSH,
-                           C2D_PUSH_MOST, C2D_SLOP,    C2D_DEEP,               C2D_EXTRAPOLATE, C2D_EXTRAPOLATE_UNEVEN,
-                           C2D_UNEVEN,    C2D_IMPULSE_MOST, C2D_TURN};
-    return n;
-}
-
 // Contact k of circle i, `a`, with circle j, `b`; `memory` is that of the contact. Whether it changed anything.
 static bool c2d_visit(float8 *circleA, float8 *circleB, float2 *memory, int i, int j, __global const int *id,
                       __global const float2 *kicked, c2d_numbers n) {

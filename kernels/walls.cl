@@ -8,38 +8,38 @@ typedef struct {
     float kick;
 } c2d_axis;
 
-static bool c2d_near_wall(c2d_axis a, float sign, float gap, float radius, __global const float *rule) {
-    return gap < 2.0f * radius || gap + sign * a.velocity * C2D_TIME < 0.0f;
+static bool c2d_near_wall(c2d_axis a, float sign, float gap, float radius, c2d_numbers n) {
+    return gap < 2.0f * radius || gap + sign * a.velocity * n.time < 0.0f;
 }
 
 // A wall, as a contact with something that does not move. `sign` leads inside, `kicked` is the kick in the velocity. `memory`:
 // the impulse to come and the last one.
 static c2d_axis c2d_small_wall(c2d_axis a, float sign, float gap, float radius, float w, float kicked, bool carried,
-                               float gain, float2 *memory, __global const float *rule) {
-    if (!c2d_near_wall(a, sign, gap, radius, rule)) {
+                               float gain, float2 *memory, c2d_numbers n) {
+    if (!c2d_near_wall(a, sign, gap, radius, n)) {
         return a;
     }
     const float speed = sign * a.velocity;
     const float come = (*memory).x;
     const float last = (*memory).y;
-    float impulse = come - (speed + c2d_positive(gap) * C2D_PER_TIME) / w;
+    float impulse = come - (speed + c2d_positive(gap) * n.perTime) / w;
     bool bounced = false;
     if (!(impulse > 0.0f)) {
         impulse = 0.0f;
     } else if (come == 0.0f) {
         const float before = speed - sign * (kicked + gain);
-        if (before < -C2D_BOUNCE_FROM && !(last < 0.0f && carried)) {
+        if (before < -n.bounceFrom && !(last < 0.0f && carried)) {
             bounced = true;
-            impulse = c2d_positive(-(speed + C2D_RESTITUTION * before) / w);
+            impulse = c2d_positive(-(speed + n.restitution * before) / w);
         }
     }
-    const float push = C2D_PUSH * c2d_positive(-gap - C2D_SLOP * radius);
-    const float most = C2D_PUSH_MOST * radius;
+    const float push = n.push * c2d_positive(-gap - n.slop * radius);
+    const float most = n.pushMost * radius;
     a.position += sign * (push < most ? push : most);
     a.velocity += sign * (w * (impulse - come));
     float next = 0.0f;
     if (!bounced && impulse > 0.0f) {
-        next = c2d_extrapolated(impulse, last, C2D_EXTRAPOLATE, C2D_IMPULSE_MOST);
+        next = c2d_extrapolated(impulse, last, n.extrapolate, n.impulseMost);
         a.kick += sign * (w * next);
     }
     *memory = (float2)(next, bounced ? -1.0f : impulse);
@@ -48,12 +48,12 @@ static c2d_axis c2d_small_wall(c2d_axis a, float sign, float gap, float radius, 
 
 // Both walls of an axis; gaps are those before either moves the circle. Then the way of the substep. `walls`: what is
 // remembered of the axis, in a circle's order: see small.cl.
-static c2d_axis c2d_small_move(c2d_axis a, int axis, float radius, float w, float kicked, bool carried,
-                               __global float2 *walls, __global const float *rule) {
-    const float low = a.position - C2D_MIN(axis) - radius;
-    const float high = C2D_MAX(axis) - a.position - radius;
+static c2d_axis c2d_small_move(c2d_axis a, c2d_along along, float radius, float w, float kicked, bool carried,
+                               __global float2 *walls, c2d_numbers n) {
+    const float low = a.position - along.min - radius;
+    const float high = along.max - a.position - radius;
     // most circles are near none, and what is remembered of walls lies far apart in memory
-    if (c2d_near_wall(a, 1.0f, low, radius, rule) || c2d_near_wall(a, -1.0f, high, radius, rule)) {
+    if (c2d_near_wall(a, 1.0f, low, radius, n) || c2d_near_wall(a, -1.0f, high, radius, n)) {
         const float2 was = *walls;
         float2 memoryLow = (float2)(0.0f, 0.0f);
         float2 memoryHigh = memoryLow;
@@ -62,7 +62,7 @@ static c2d_axis c2d_small_move(c2d_axis a, int axis, float radius, float w, floa
         for (int side = 0; side < 2; side++) {
             const float sign = side == 0 ? 1.0f : -1.0f;
             float2 memory = c2d_of_wall(was, sign);
-            a = c2d_small_wall(a, sign, side == 0 ? low : high, radius, w, kicked, carried, C2D_GAIN(axis), &memory, rule);
+            a = c2d_small_wall(a, sign, side == 0 ? low : high, radius, w, kicked, carried, along.gain, &memory, n);
             memoryLow = side == 0 ? memory : memoryLow;
             memoryHigh = memory;
         }
@@ -72,15 +72,15 @@ static c2d_axis c2d_small_move(c2d_axis a, int axis, float radius, float w, floa
         }
     }
     const float half_radius = 0.5f * radius;
-    const float min = C2D_MIN(axis) + half_radius;
-    const float max = C2D_MAX(axis) - half_radius;
-    a.position += C2D_TIME * a.velocity;
+    const float min = along.min + half_radius;
+    const float max = along.max - half_radius;
+    a.position += n.time * a.velocity;
     if (!(a.position >= min)) {
         a.position = min;
-        a.velocity = a.velocity < 0.0f ? -C2D_RESTITUTION * a.velocity : a.velocity;
+        a.velocity = a.velocity < 0.0f ? -n.restitution * a.velocity : a.velocity;
     } else if (a.position > max) {
         a.position = max;
-        a.velocity = a.velocity > 0.0f ? -C2D_RESTITUTION * a.velocity : a.velocity;
+        a.velocity = a.velocity > 0.0f ? -n.restitution * a.velocity : a.velocity;
     }
     return a;
 }

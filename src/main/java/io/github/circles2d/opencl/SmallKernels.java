@@ -52,6 +52,7 @@ final class SmallKernels {
                 "batch_colour",
                 "batch_local",
                 "batch_order",
+                "numbers",
                 "walls",
                 "integrate")) {
             sources.add(Program.file(file + ".cl"));
@@ -75,6 +76,7 @@ final class SmallKernels {
                 "batch_colour",
                 "batch_local",
                 "batch_order",
+                "numbers",
                 "walls",
                 "integrate",
                 "visit");
@@ -93,6 +95,7 @@ final class SmallKernels {
                 "batch_colour",
                 "batch_local",
                 "batch_order",
+                "numbers",
                 "walls",
                 "integrate",
                 "visit",
