@@ -54,16 +54,22 @@ static int4 c2d_batch_turns(int4 part, __global int *tileStart) {
     return turn;
 }
 
-// What colours need to know of the bucket of a circle. Its class: classes are levels, and of each level columns modulo 3 and rows
-// modulo 2, 3 at wider levels; folded levels leave these as they are. And its bin, so that what is near each other, but not of
-// one bucket, is in different ones.
+// What colours need to know of the bucket of a circle: not of its cell, for in a bucket of a folded level circles of several come by
+// turns, and all of them are one run. Its class: classes are levels, and of each level columns modulo 3 and rows modulo 2, 3 at wider
+// levels; folded levels leave these as they are. And its bin, so that what is near each other, but not of one bucket, is in
+// different ones.
 #define C2D_BINS 64
 #define C2D_CLASS(code) ((code) & 0xFF)
 #define C2D_BIN(code) ((code) >> 8)
 static int c2d_batch_code(int4 cell, __global const int8 *levels) {
-    const int shift = levels[1 + cell.z].C2D_SHIFT;
-    const int x = cell.x >> shift;
-    const int y = cell.y >> shift;
+    const int8 level = levels[1 + cell.z];
+    int x = cell.x >> level.C2D_SHIFT;
+    int y = cell.y >> level.C2D_SHIFT;
+    if (c2d_is_folded(level)) {
+        const int bucket = c2d_bucket(level, x, y) - level.C2D_BASE;
+        x = bucket % level.C2D_WIDTH;
+        y = bucket / level.C2D_WIDTH;
+    }
     const int class = (cell.z == 0 ? 0 : 9 * cell.z - 3) + 3 * (y % (cell.z == 0 ? 2 : 3)) + x % 3;
     return class | (x % 8 + 8 * (y % 8)) << 8;
 }

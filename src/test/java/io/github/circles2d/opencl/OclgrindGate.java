@@ -9,9 +9,14 @@ import io.github.circles2d.Solver;
 import io.github.circles2d.StepStats;
 import io.github.circles2d.demo.Scene;
 import io.github.circles2d.pipeline.KernelSources;
+import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Population;
+import io.github.circles2d.pipeline.Tuning;
+import io.github.circles2d.pipeline.WorldConfig;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
+import java.nio.FloatBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -86,8 +91,11 @@ public final class OclgrindGate {
         agreeInSmallSteps(crossing(), 6, IndexStrategy.grid(), 2, 0);
         // lists more contacts than there is room for, and is sorted again
         agreeInSmallSteps(pile(), 52, IndexStrategy.grid(), 1, 1);
-        // more contacts in a tile than fit into local memory
-        agreeInSmallSteps(pile(), 60, IndexStrategy.grid(), 1, 1);
+        // more contacts in a tile than fit into local memory, and circles of two cells by turns; by one group, too many
+        // and few enough
+        agreeInSmallSteps(folded(), 108, IndexStrategy.grid(), 1, 1);
+        agreeInSmallSteps(folded(), 40, IndexStrategy.grid(), 1, 4096);
+        agreeInSmallSteps(folded(), 12, IndexStrategy.grid(), 1, 4096);
         // by its speeds this one takes more substeps in its second step, which rescales what it remembers
         agreeInSmallSteps(Scene.GAS, 9, IndexStrategy.grid(), 0, 0);
         agree(Scene.THESIS, 65, 2, IndexStrategy.grid(), CollisionStore.COMPACT, 0, 0);
@@ -115,6 +123,50 @@ public final class OclgrindGate {
             for (int i = 0; i < circles; i++) {
                 float side = i % 2 == 0 ? -0.012f : 0.012f;
                 world.addCircle(0.48f + side + 0.0001f * i, 0.30f + side, 0.02f, 1 + i % 3);
+            }
+        });
+    }
+
+    /** Two heaps, circle by circle, in two cells of a folded level that share a bucket. */
+    private static Scene folded() {
+        float radius = 0.001f;
+        return new Scene("folded", 0, -1, 0.5f, (world, circles) -> {
+            FloatBuffer circle = FloatBuffer.allocate(4 * circles);
+            for (int i = 0; i < circles; i++) {
+                circle.put(4 * i + 2, radius);
+            }
+            // the world's own cells follow from its box alone
+            WorldConfig box = new WorldConfig(
+                    1f / 60,
+                    0,
+                    -1,
+                    0.5f,
+                    0,
+                    0,
+                    1,
+                    1,
+                    IndexStrategy.grid(),
+                    CollisionStore.COMPACT,
+                    Solver.SMALL_STEPS,
+                    0,
+                    0,
+                    0,
+                    1);
+            Levels levels = Levels.of(box, Population.of(circle, circles), Tuning.REACH);
+            int at = Levels.at(0);
+            require(levels.folded(at), "a folded level");
+            int row = 0;
+            int column = 3;
+            while (levels.bucket(at, column, row) != levels.bucket(at, 0, 0)) {
+                row = column > 100 ? row + 1 : row;
+                column = column > 100 ? 0 : column + 1;
+            }
+            float size = 2 * radius * (1 + Tuning.REACH);
+            for (int i = 0; i < circles; i++) {
+                float side = 0.5f + 0.1f * i / circles;
+                float x = i % 2 == 0 ? side : side + column;
+                float y = i % 2 == 0 ? side : side + row;
+                world.addCircle(x * size, y * size, radius, 1 + i % 3);
             }
         });
     }
