@@ -1,16 +1,16 @@
 // Worlds so small that launches take longer than what they do: stages of several launches, and all substeps of a detection, by one
-// work-group. What is done is that of the other files, in an order that comes to the same: all tiles of a tiling are one tile
-// here, for their contacts share no circle. On the host it is what host.Grid, host.Batch and host.Solve do.
+// work-group. Such a world is one tile. What is done is that of the other files; on the host it is what host.Grid, host.Batch and
+// host.Solve do.
 
-// grid.cl. `parts`: those that contacts are counted in.
-__kernel C2D_ONE void c2d_alone_grid(C2D_WORLD, int allCells, int parts, __local int *sums) {
+// grid.cl.
+__kernel C2D_ONE void c2d_alone_grid(C2D_WORLD, int allCells, __local int *sums) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
     const int circles = stalled ? 0 : world.circles;
     const int cells = stalled ? -1 : allCells;
-    for (int k = item; k <= max(cells, stalled ? -1 : parts); k += items) {
-        c2d_grid_clear_at(k, C2D_BUCKET_START, C2D_TILE_START, status, cells, parts);
+    for (int k = item; k <= cells; k += items) {
+        c2d_grid_clear_at(k, C2D_BUCKET_START, C2D_TILE_START, status, cells, C2D_PARTS);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int i = item; i < circles; i += items) {
@@ -29,8 +29,8 @@ __kernel C2D_ONE void c2d_alone_grid(C2D_WORLD, int allCells, int parts, __local
     }
 }
 
-// batch.cl. `tiles`: the tilings; what comes after `sums` is for batch_local.cl.
-__kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums, int most, int slots, __local uint *masks,
+// batch.cl. What comes after `sums` is for batch_local.cl.
+__kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *sums, int most, int slots, __local uint *masks,
                               __local int *places, __local int2 *entries, __local ushort *codes, __local ushort *starts,
                               __local int *bins, __local int *rows) {
     const bool direct = true;
@@ -38,36 +38,34 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, int tiles, __local int *sums, i
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
-    for (int q = item; 4 * q < contacts; q += items) {
-        c2d_batch_count_at(q, contacts, true, C2D_BODY, C2D_LEVEL_TABLE, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER,
-                           world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TINT);
+    // in one tile, and in one part of it, in the order of the lists
+    for (int k = item; k < contacts; k += items) {
+        C2D_BY_TILE[k] = k;
+        C2D_BATCH[world.capacity + k] =
+            c2d_batch_code(c2d_cell(C2D_BODY[C2D_BATCH[k]], C2D_LEVEL_TABLE, C2D_RULE), C2D_LEVEL_TABLE);
+        C2D_BATCH[2 * world.capacity + k] = 0;
+    }
+    if (item == 0) {
+        C2D_TILE_START[C2D_PARTS] = contacts;
     }
     for (int p = item; p < (stalled ? 0 : world.circles); p += items) {
         C2D_BEYOND[p] = 0;
         C2D_MASK[p] = 0ul;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_scan_group(C2D_TILE_START, stalled ? 0 : C2D_PARTS * tiles + 1, sums);
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    for (int k = item; k < contacts; k += items) {
-        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE, C2D_TINT);
-    }
-    barrier(CLK_GLOBAL_MEM_FENCE);
-    for (int tile = 0; tile < tiles; tile++) {
-        c2d_batch_colour_tile(tile, tile > 0, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
-    }
-    for (int tile = 0; tile < tiles; tile++) {
-        c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
-                             C2D_WHERE, C2D_TILE_START, C2D_SOLVES + tile, (int2)(0, 0), stalled, true, 0, sums);
-    }
+    c2d_batch_colour_tile(0, false, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    c2d_batch_order_tile(0, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY, C2D_WHERE,
+                         C2D_TILE_START, C2D_SOLVES, (int2)(0, 0), stalled, true, 0, sums);
 }
 
 // All substeps of a detection: integrate.cl and solve.cl.
-__kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float8 *bodies, int substeps) {
+__kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, __local float8 *bodies, int substeps) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
     const int circles = stalled ? 0 : world.circles;
+    const int8 tile = C2D_SOLVES[0];
     const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
     for (int i = item; i < circles; i += items) {
         c2d_body_to(bodies, i, circles, C2D_BODY[i]);
@@ -78,10 +76,7 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int tiles, __local float8 *bodi
             c2d_body_to(bodies, i, circles, c2d_integrated(body, i, substep > 0, true, C2D_CIRCLES_HERE));
         }
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-        for (int tile = 0; tile < (stalled ? 0 : tiles); tile++) {
-            const int8 own = C2D_SOLVES[tile];
-            c2d_solve_bodies(own.s0, own.s1, own.s4, bodies, circles, 0, C2D_SOLVE_HERE);
-        }
+        c2d_solve_bodies(tile.s0, tile.s1, stalled ? 0 : tile.s4, bodies, circles, 0, C2D_SOLVE_HERE);
     }
     for (int i = item; i < circles; i += items) {
         C2D_BODY[i] = c2d_body_of(bodies, i, circles);

@@ -76,9 +76,8 @@ static int c2d_batch_code(int4 cell, __global const int8 *levels) {
 
 static int c2d_batch_classes(int levelCount) { return 9 * levelCount - 3; }
 
-// The part of contact k, of those of its tile; or, where all tiles of a tiling are done as one, of its tiling. Its tint is, until it is
-// coloured, the code of its bucket.
-static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const float8 *body, __global const int8 *levels,
+// The part of contact k, of those of its tile. Its tint is, until it is coloured, the code of its bucket.
+static int c2d_batch_part_of(int k, int contacts, __global const float8 *body, __global const int8 *levels,
                              __global const int8 *tilings, __global const float *rule, __global const int *other,
                              __global const int *batch, __global ushort *tint) {
     if (k >= contacts) {
@@ -95,18 +94,17 @@ static int c2d_batch_part_of(int k, int contacts, bool asOne, __global const flo
         tile = c2d_tile(a, tilings[tiling]);
     } while (tile != c2d_tile(b, tilings[tiling]));
     tint[k] = (ushort)c2d_batch_code(cell, levels);
-    return c2d_batch_part(asOne ? tiling : tile, a.y);
+    return c2d_batch_part(tile, a.y);
 }
 
 // Contacts 4 q to 4 q + 3; there is always room for a multiple of four.
-static void c2d_batch_count_at(int q, int contacts, bool asOne, __global const float8 *body, __global const int8 *levels,
+static void c2d_batch_count_at(int q, int contacts, __global const float8 *body, __global const int8 *levels,
                                __global const int8 *tilings, __global const float *rule, __global const int *other,
                                int capacity, __global int *batch, __global int *tileStart, __global ushort *tint) {
     int4 part = (int4)(-1, -1, -1, -1);
 #pragma unroll 1
     for (int k = 4 * q; k < 4 * q + 4; k++) {
-        part = (int4)(part.y, part.z, part.w,
-                      c2d_batch_part_of(k, contacts, asOne, body, levels, tilings, rule, other, batch, tint));
+        part = (int4)(part.y, part.z, part.w, c2d_batch_part_of(k, contacts, body, levels, tilings, rule, other, batch, tint));
     }
     ((__global int4 *)(batch + capacity))[q] = c2d_batch_turns(part, tileStart);
     ((__global int4 *)(batch + 2 * capacity))[q] = part;
@@ -128,7 +126,7 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
     for (int q = (int)get_global_id(0); 4 * q < contacts; q += (int)get_global_size(0)) {
-        c2d_batch_count_at(q, contacts, false, C2D_BODY, C2D_LEVEL_TABLE, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER,
+        c2d_batch_count_at(q, contacts, C2D_BODY, C2D_LEVEL_TABLE, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER,
                            world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TINT);
     }
     const int circles = stalled ? 0 : world.circles;

@@ -135,7 +135,13 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     if (item == 0) {
         *rows = 0;
     }
-    c2d_batch_sort(count, byTile + first, batch + capacity, entries, codes, starts, bins);
+    if (direct) {
+        for (int e = item; e < count; e += items) {
+            entries[e].y = byTile[first + e];
+        }
+    } else {
+        c2d_batch_sort(count, byTile + first, batch + capacity, entries, codes, starts, bins);
+    }
     for (int e = item; e < count; e += items) {
         codes[e] = (ushort)batch[capacity + entries[e].y];
     }

@@ -181,6 +181,7 @@ public final class StageTimes {
                 args.length > 8 ? Integer.parseInt(args[8]) : 0,
                 0,
                 Tuning.SMALL_WORLD,
+                Tuning.ALONE_CIRCLES,
                 substeps);
     }
 

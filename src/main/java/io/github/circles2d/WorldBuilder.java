@@ -23,6 +23,7 @@ final class WorldBuilder implements Circles2D.Builder {
     private int workGroup;
     private long pairsPerSlice;
     private int smallWorld = Tuning.SMALL_WORLD;
+    private int oneTile = Tuning.ALONE_CIRCLES;
 
     @Override
     public WorldBuilder device(ComputeDevice device) {
@@ -122,6 +123,12 @@ final class WorldBuilder implements Circles2D.Builder {
         return this;
     }
 
+    /** Largest world of one tile, circles. Worlds that differ in it do not end in the same bits. */
+    WorldBuilder oneTile(int circles) {
+        oneTile = circles;
+        return this;
+    }
+
     @Override
     public Circles2D build() {
         ComputeDevice on = device != null ? device : ComputeDevice.preferred();
@@ -148,6 +155,7 @@ final class WorldBuilder implements Circles2D.Builder {
                 workGroup,
                 pairsPerSlice,
                 largestSmallWorld,
+                oneTile,
                 substeps);
     }
 }

@@ -46,9 +46,13 @@ class SmallStepsSameBitsTest {
     @ParameterizedTest
     @ValueSource(ints = {0, 1, 2, 63, 64, 65, 1000})
     void everyStepHasTheSameBitsOnBothDevices(int circles) {
-        for (int seed = 0; seed < (circles < 1000 ? 4 : 1); seed++) {
-            try (Circles2D host = builder(ComputeDevice.host()).build();
-                    Circles2D device = builder(openCl).smallWorld(seed).build()) {
+        for (int seed = 0; seed < 4; seed++) {
+            int oneTile = seed % 2 == 0 ? 0 : Tuning.ALONE_CIRCLES;
+            try (Circles2D host = builder(ComputeDevice.host()).oneTile(oneTile).build();
+                    Circles2D device = builder(openCl)
+                            .oneTile(oneTile)
+                            .smallWorld(seed < 2 ? 0 : 4096)
+                            .build()) {
                 addRandom(host, new SplittableRandom(seed), circles);
                 addRandom(device, new SplittableRandom(seed), circles);
                 for (int step = 1; step <= 10; step++) {
@@ -77,23 +81,32 @@ class SmallStepsSameBitsTest {
     @ParameterizedTest
     @ValueSource(strings = {"pile", "pebbles", "bullets"})
     void oneHashForEveryWayToCutASubstep(String scene) {
-        long expected = hash(scene, ComputeDevice.host(), IndexStrategy.grid(), 0, 0);
-        for (int group : new int[] {1, 7, 64}) {
-            for (int small : new int[] {0, 1, 4096}) {
-                long actual = hash(scene, openCl, IndexStrategy.grid(), group, small);
-                assertEquals(expected, actual, "groups of " + group + ", small up to " + small);
+        for (int oneTile : new int[] {0, Tuning.ALONE_CIRCLES}) {
+            WorldBuilder host = builder(ComputeDevice.host()).oneTile(oneTile);
+            long expected = hash(scene, host);
+            for (int group : new int[] {1, 7, 64}) {
+                for (int small : new int[] {0, 1, 4096}) {
+                    WorldBuilder device = builder(openCl).oneTile(oneTile).workGroup(group);
+                    assertEquals(
+                            expected,
+                            hash(scene, device.smallWorld(small)),
+                            "groups of " + group + ", small up to " + small + ", one tile up to " + oneTile);
+                }
             }
         }
     }
 
     private static long hash(String scene, ComputeDevice device, IndexStrategy strategy, int group) {
-        // with odd groups, every colour of every level is a launch
-        return hash(scene, device, strategy, group, group % 2 == 0 ? 4096 : 0);
+        // odd groups: not by one group
+        return hash(
+                scene,
+                builder(device)
+                        .workGroup(group)
+                        .smallWorld(group % 2 == 0 ? 4096 : 0)
+                        .indexStrategy(strategy));
     }
 
-    private static long hash(String scene, ComputeDevice device, IndexStrategy strategy, int group, int small) {
-        Circles2D.Builder builder =
-                builder(device).workGroup(group).smallWorld(small).indexStrategy(strategy);
+    private static long hash(String scene, Circles2D.Builder builder) {
         try (Circles2D world = Scene.named(scene).build(builder, 300)) {
             world.step(120);
             return world.stateHash();
@@ -173,10 +186,11 @@ class SmallStepsSameBitsTest {
         }
     }
 
-    @Test
-    void moreContactsThanThereIsRoomForLoseNothing() {
-        try (Circles2D host = builder(ComputeDevice.host()).build();
-                Circles2D device = builder(openCl).build()) {
+    @ParameterizedTest
+    @ValueSource(ints = {0, Tuning.ALONE_CIRCLES})
+    void moreContactsThanThereIsRoomForLoseNothing(int oneTile) {
+        try (Circles2D host = builder(ComputeDevice.host()).oneTile(oneTile).build();
+                Circles2D device = builder(openCl).oneTile(oneTile).build()) {
             for (Circles2D world : new Circles2D[] {host, device}) {
                 // a ring that meets in the middle in the fourth substep, where every circle lists every other
                 for (int i = 0; i < 400; i++) {
@@ -207,10 +221,13 @@ class SmallStepsSameBitsTest {
         }
     }
 
-    @Test
-    void whatIsRememberedSurvivesNewCirclesNewSpeedsAndOtherSubsteps() {
-        try (Circles2D host = Scene.PILE.build(builder(ComputeDevice.host()).substeps(0), 300);
-                Circles2D device = Scene.PILE.build(builder(openCl).substeps(0), 300)) {
+    @ParameterizedTest
+    @ValueSource(ints = {0, 310, Tuning.ALONE_CIRCLES})
+    void whatIsRememberedSurvivesNewCirclesNewSpeedsAndOtherSubsteps(int oneTile) {
+        try (Circles2D host = Scene.PILE.build(
+                        builder(ComputeDevice.host()).oneTile(oneTile).substeps(0), 300);
+                Circles2D device =
+                        Scene.PILE.build(builder(openCl).oneTile(oneTile).substeps(0), 300)) {
             SplittableRandom random = new SplittableRandom(7);
             for (int round = 0; round < 12; round++) {
                 float x = 0.1f + 0.8f * (float) random.nextDouble();

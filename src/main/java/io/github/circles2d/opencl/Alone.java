@@ -1,6 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.Tuning;
 
 /** Host code of {@code kernels/alone.cl}: stages of a small world by one work-group. */
@@ -17,22 +16,18 @@ final class Alone {
 
     void bind(SmallWorld world) {
         Object[] known = world.known();
-        int tilings = world.tiles().tilings;
-        grid.range(1, world.oneGroup())
-                .arguments(known, world.levels().cells, Tiles.PARTS * tilings, new Kernel.Local(4L * grid.group()));
+        grid.range(1, world.oneGroup()).arguments(known, world.levels().cells, new Kernel.Local(4L * grid.group()));
         batch.range(1, world.oneGroup())
                 .arguments(
                         known,
-                        tilings,
                         new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)),
                         Batch.local(contacts(world.circles()), world.circles(), false));
-        solve.range(1, world.oneGroup())
-                .arguments(known, tilings, new Kernel.Local(32L * Math.max(1, world.circles())));
+        solve.range(1, world.oneGroup()).arguments(known, new Kernel.Local(32L * Math.max(1, world.circles())));
     }
 
-    /** Contacts of a tiling for which there is local memory; with more it takes longer. */
+    /** Contacts for which there is local memory; with more it takes longer. */
     private static int contacts(int circles) {
-        return 9 * circles / 4;
+        return 5 * circles / 2;
     }
 
     /** Local memory that the kernels need at most, which is what {@code c2d_alone_batch} does. */

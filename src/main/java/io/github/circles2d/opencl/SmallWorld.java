@@ -60,7 +60,8 @@ record SmallWorld(
      * would take longer.
      */
     boolean alone() {
-        return circles() <= Math.min(config.smallWorld(), Tuning.ALONE_CIRCLES)
+        return tiles.tilings == 1
+                && circles() <= config.smallWorld()
                 && Alone.localBytes(circles()) <= device.localMemory;
     }
 

@@ -49,6 +49,8 @@ public final class Levels {
     public final int cells;
     /** Number of circles. */
     public final int circles;
+    /** Whether they are so few that all contacts are one tile. */
+    final boolean oneTile;
 
     /** How far the reach of a circle goes beyond its radius, radii. */
     public final float reach;
@@ -58,6 +60,7 @@ public final class Levels {
 
     private Levels(WorldConfig config, Population population, float reach) {
         circles = population.circles();
+        oneTile = circles <= config.oneTile();
         this.reach = reach;
         double width = (double) config.maxX() - config.minX();
         double height = (double) config.maxY() - config.minY();

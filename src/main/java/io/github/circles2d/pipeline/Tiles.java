@@ -6,7 +6,8 @@ package io.github.circles2d.pipeline;
  * contacts of two tiles of one tiling share no circle. One that crosses a border of one tiling crosses none of the
  * next along that axis; of three tilings one at least has it inside. Where there are circles so large that a third of a tile is
  * less than their contacts span, three tilings of larger tiles follow, and so on. Tiles that are too many for the circles
- * share numbers, which changes nothing of this.
+ * share numbers, which changes nothing of this. A small world, {@link Tuning#ALONE_CIRCLES}, is one tile: fewer
+ * colours for the one work-group that does it.
  *
  * <p>Twin of {@code c2d_tile} of {@code kernels/batch.cl}.
  */
@@ -35,10 +36,20 @@ public final class Tiles {
     public final int tilings;
     /** Tiles of all tilings. */
     public final int tiles;
-    /** The tilings, {@link #INTS} numbers each. */
+    /** The tilings, {@link #INTS} numbers each, and one after the last, of which only the first tile means anything. */
     public final int[] table;
 
     private Tiles(Levels levels) {
+        if (levels.oneTile) {
+            tilings = 1;
+            tiles = 1;
+            table = new int[INTS * 2];
+            table[SIDE] = Math.max(levels.table[Levels.LAST_X], levels.table[Levels.LAST_Y]) + 1;
+            table[COLUMNS] = 1;
+            table[ROWS] = 1;
+            table[INTS + FIRST] = 1;
+            return;
+        }
         int widest = 0;
         for (int number = 0; number < levels.count; number++) {
             widest = Math.max(widest, levels.table[Levels.at(number) + Levels.SHIFT]);
@@ -50,7 +61,7 @@ public final class Tiles {
             scales++;
         }
         tilings = 3 * scales;
-        table = new int[INTS * tilings];
+        table = new int[INTS * (tilings + 1)];
         int all = 0;
         for (int tiling = 0; tiling < tilings; tiling++) {
             int at = INTS * tiling;
@@ -71,6 +82,7 @@ public final class Tiles {
             all += columns * rows;
         }
         tiles = all;
+        table[INTS * tilings + FIRST] = all;
     }
 
     /** The tiles over the cells of a world. */
@@ -96,7 +108,7 @@ public final class Tiles {
 
     /** First tile of a tiling; of the one after the last, the number of tiles. */
     public int first(int tiling) {
-        return tiling == tilings ? tiles : table[INTS * tiling + FIRST];
+        return table[INTS * tiling + FIRST];
     }
 
     /** Tiles of a tiling. */

@@ -101,7 +101,7 @@ public final class Tuning {
     public static final int CPU_TILE_GROUP = 1;
 
     /** Work-items of a launch of one group, which scans cells or does a small world, on a GPU. 64 to 1,024. */
-    public static final int GPU_ONE_GROUP = 512;
+    public static final int GPU_ONE_GROUP = 640;
 
     /** The same on a CPU, where one work-item after the other runs anyway. */
     public static final int CPU_ONE_GROUP = 1;
@@ -255,8 +255,8 @@ public final class Tuning {
     public static final int OTHER_TILE_CONTACTS = 400;
 
     /**
-     * Circles up to which one work-group does most of a detection and its substeps. 0 (never) to 10^4: local memory of GPUs holds no more,
-     * and to 2,500 one core of a processor takes no longer than two or sixteen.
+     * Circles up to which a world is one tile, and one work-group does most of a detection and its substeps. 0 (never) to 1,280: local
+     * memory of GPUs holds no more, and to 2,500 one core of a processor takes no longer than two or sixteen.
      */
     public static final int ALONE_CIRCLES = 1280;
 

@@ -10,8 +10,9 @@ import io.github.circles2d.Solver;
  * @param workGroup work-items of a group, 0 for what suits the device
  * @param pairsPerSlice most pairs that share one buffer of the triangle or of a table, 0 for what the device allows
  * @param smallWorld largest world, in circles, that is coloured and resolved by one work-group; of small steps, it
- *     is {@link Tuning#ALONE_CIRCLES} at most, and 0 says besides that no world is of few circles, {@link
- *     Tuning#FEW_CIRCLES}
+ *     is {@code oneTile} at most, and 0 says besides that no world is of few circles, {@link Tuning#FEW_CIRCLES}
+ * @param oneTile largest world, in circles, that is one of the {@link Tiles}: {@link Tuning#ALONE_CIRCLES} for all but tests, since
+ *     the order of contacts, and so every bit, follows from it
  * @param substeps substeps of a step, 0 to choose
  */
 public record WorldConfig(
@@ -29,6 +30,7 @@ public record WorldConfig(
         int workGroup,
         long pairsPerSlice,
         int smallWorld,
+        int oneTile,
         int substeps) {
 
     /** Whether translation vectors go to the triangle: only detect by pairs has one. */

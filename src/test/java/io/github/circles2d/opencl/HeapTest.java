@@ -39,6 +39,7 @@ class HeapTest {
             0,
             0,
             0,
+            0,
             8);
 
     private Session session;

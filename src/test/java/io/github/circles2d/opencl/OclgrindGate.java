@@ -151,6 +151,7 @@ public final class OclgrindGate {
                     0,
                     0,
                     0,
+                    0,
                     1);
             Levels levels = Levels.of(box, Population.of(circle, circles), Tuning.REACH);
             int at = Levels.at(0);

@@ -44,6 +44,7 @@ record TwinCase(
                 workGroup,
                 pairsPerSlice,
                 smallWorld,
+                0,
                 0);
     }
 }

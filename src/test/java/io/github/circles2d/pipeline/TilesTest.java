@@ -1,5 +1,6 @@
 package io.github.circles2d.pipeline;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.github.circles2d.CollisionStore;
@@ -7,6 +8,7 @@ import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Solver;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -27,6 +29,24 @@ class TilesTest {
         "2000, 0.02, 4"
     })
     void neighboursShareATile(int circles, float boxes, float ratio) {
+        for (float reach : new float[] {Tuning.REACH, Tuning.REACH_FAR}) {
+            neighboursShareATile(levels(circles, boxes, ratio, reach, 0));
+        }
+    }
+
+    @Test
+    void aSmallWorldIsOneTile() {
+        for (int circles : new int[] {1, 1000}) {
+            Tiles one = Tiles.of(levels(circles, 1, 8, Tuning.REACH, 1000));
+            assertEquals(1, one.tilings);
+            assertEquals(1, one.tiles);
+            neighboursShareATile(levels(circles, 1, 8, Tuning.REACH, 1000));
+        }
+        assertEquals(1, Tiles.of(levels(0, 1, 1, Tuning.REACH, 0)).tilings);
+        assertTrue(Tiles.of(levels(1001, 1, 8, Tuning.REACH, 1000)).tiles > 1);
+    }
+
+    private static Levels levels(int circles, float boxes, float ratio, float reach, int oneTile) {
         WorldConfig config = new WorldConfig(
                 1f / 60,
                 0,
@@ -42,10 +62,9 @@ class TilesTest {
                 0,
                 0,
                 0,
+                oneTile,
                 8);
-        for (float reach : new float[] {Tuning.REACH, Tuning.REACH_FAR}) {
-            neighboursShareATile(Levels.of(config, population(circles, ratio), reach));
-        }
+        return Levels.of(config, population(circles, ratio), reach);
     }
 
     private static void neighboursShareATile(Levels levels) {
