@@ -29,8 +29,8 @@ __kernel C2D_ONE void c2d_alone_grid(C2D_WORLD, int allCells, __local int *sums)
     }
 }
 
-// batch.cl. What comes after `sums` is for batch_local.cl.
-__kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *sums, int most, int slots, __local uint *masks,
+// batch.cl. What comes after `counts` is for batch_local.cl.
+__kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, int slots, __local uint *masks,
                               __local int *places, __local int2 *entries, __local ushort *codes, __local ushort *starts,
                               __local int *bins, __local int *rows) {
     const bool direct = true;
@@ -56,7 +56,7 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *sums, int most, in
     c2d_batch_colour_tile(0, false, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     c2d_batch_order_tile(0, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY, C2D_WHERE,
-                         C2D_TILE_START, C2D_SOLVES, (int2)(0, 0), stalled, true, 0, sums);
+                         C2D_TILE_START, C2D_SOLVES, (int2)(0, 0), stalled, true, 0, counts);
 }
 
 // All substeps of a detection: integrate.cl and solve.cl.

@@ -1,7 +1,5 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.Tuning;
-
 /** Host code of {@code kernels/alone.cl}: stages of a small world by one work-group. */
 final class Alone {
     private final Kernel grid;
@@ -20,7 +18,7 @@ final class Alone {
         batch.range(1, world.oneGroup())
                 .arguments(
                         known,
-                        new Kernel.Local(Math.max(4L * batch.group(), Batch.COUNTS)),
+                        new Kernel.Local(Batch.COUNTS),
                         Batch.local(contacts(world.circles()), world.circles(), false));
         solve.range(1, world.oneGroup()).arguments(known, new Kernel.Local(32L * Math.max(1, world.circles())));
     }
@@ -32,7 +30,7 @@ final class Alone {
 
     /** Local memory that the kernels need at most, which is what {@code c2d_alone_batch} does. */
     static long localBytes(int circles) {
-        long bytes = 4L * Tuning.GPU_ONE_GROUP;
+        long bytes = Batch.COUNTS;
         for (Object argument : Batch.local(contacts(circles), circles, false)) {
             bytes += argument instanceof Kernel.Local memory ? memory.bytes() : 0;
         }
