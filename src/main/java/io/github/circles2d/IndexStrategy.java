@@ -94,7 +94,7 @@ public interface IndexStrategy {
         return IndexStrategies.FORMULA;
     }
 
-    /** Strategy 1 of the thesis: from a table of all pairs, 8 bytes a pair. */
+    /** Strategy 1 of the thesis: from a table of all pairs, 4 bytes a pair, 8 beyond 65,536 circles. */
     static IndexStrategy pairTable() {
         return IndexStrategies.PAIR_TABLE;
     }

@@ -20,7 +20,7 @@ public abstract class IndexStrategies implements IndexStrategy {
     public static final IndexStrategy PAIR_TABLE = new IndexStrategies("pair_table") {
         @Override
         public long tableBytes(int circles, long pairs) {
-            return Math.multiplyExact(pairs, 8L);
+            return Math.multiplyExact(pairs, halves(circles) ? 4L : 8L);
         }
 
         @Override
@@ -28,8 +28,12 @@ public abstract class IndexStrategies implements IndexStrategy {
             long pair = FORMULA.pairAt(first, first, circles, table);
             int i = IndexStrategy.first(pair);
             int j = IndexStrategy.second(pair);
-            for (int at = 0; at < 8 * pairs; at += 8) {
-                table.putInt(at, i).putInt(at + 4, j);
+            for (int at = 0; at < pairs; at++) {
+                if (halves(circles)) {
+                    table.putShort(4 * at, (short) i).putShort(4 * at + 2, (short) j);
+                } else {
+                    table.putInt(8 * at, i).putInt(8 * at + 4, j);
+                }
                 if (++j == circles) {
                     j = ++i + 1;
                 }
@@ -38,8 +42,10 @@ public abstract class IndexStrategies implements IndexStrategy {
 
         @Override
         public long pairAt(long pair, long first, int circles, ByteBuffer table) {
-            int at = (int) (8 * (pair - first));
-            return IndexStrategy.pack(table.getInt(at), table.getInt(at + 4));
+            int at = (int) (pair - first);
+            return halves(circles)
+                    ? IndexStrategy.pack(table.getChar(4 * at), table.getChar(4 * at + 2))
+                    : IndexStrategy.pack(table.getInt(8 * at), table.getInt(8 * at + 4));
         }
     };
 
@@ -150,6 +156,11 @@ public abstract class IndexStrategies implements IndexStrategy {
     /** Whether pair indices need 64 bits; the kernels' {@code C2D_WIDE}. */
     public static boolean wide(int circles) {
         return IndexStrategy.pairs(circles) > Integer.MAX_VALUE;
+    }
+
+    /** Whether half an int holds the number of a circle. */
+    private static boolean halves(int circles) {
+        return circles <= 1 << 16;
     }
 
     private static long triangular(long row) {
