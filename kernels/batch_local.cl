@@ -2,13 +2,14 @@
 // and the tile fits. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
 
 // What that takes: of up to `most` contacts, entries, the codes, and which are first in their row; of up to `slots` circles, a
-// power of two, the colours, up to 32, and, if slots are not places, whose they are; where bins begin; how many `rows` there are, or more
+// power of two, the colours, up to C2D_LOCAL_COLOURS, and, if slots are not places, whose they are; where bins begin; how many `rows` there are, or more
 // than there can be where the tile does not fit. An entry is, in the end, the slots of the two circles, with C2D_LAST in the
 // last of a row, and the number of the contact.
 #define C2D_LOCAL                                                                                                      \
     int most, int slots, bool direct, __local uint *masks, __local int *places, __local int2 *entries,                  \
         __local ushort *codes, __local ushort *starts, __local int *bins, __local int *rows
 #define C2D_LOCAL_ALL most, slots, direct, masks, places, entries, codes, starts, bins, rows
+#define C2D_LOCAL_COLOURS 32
 #define C2D_SLOT_BITS 15
 #define C2D_LAST (1 << 30)
 #define C2D_SLOT_I(entry) ((entry) & ((1 << C2D_SLOT_BITS) - 1))
@@ -104,7 +105,7 @@ static void c2d_batch_colour_row(int e, C2D_LOCAL, __global ushort *tint) {
         own |= lowest;
         there |= lowest;
         masks[j] = there;
-        tint[now.y] = (ushort)(31 - (int)clz(lowest));
+        tint[now.y] = (ushort)(C2D_LOCAL_COLOURS - 1 - (int)clz(lowest));
         nextThere = nextJ == j ? there : nextJ == i ? own : nextThere;
         nextOwn = nextI == i ? own : nextI == j ? there : nextOwn;
         if (nextI != i || last) {

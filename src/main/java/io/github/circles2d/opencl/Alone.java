@@ -15,26 +15,28 @@ final class Alone {
     void bind(SmallWorld world) {
         Object[] known = world.known();
         grid.range(1, world.oneGroup()).arguments(known, world.levels().cells, new Kernel.Local(4L * grid.group()));
-        batch.range(1, world.oneGroup())
-                .arguments(
-                        known,
-                        new Kernel.Local(Batch.COUNTS),
-                        Batch.local(contacts(world.circles()), world.circles(), false));
-        solve.range(1, world.oneGroup()).arguments(known, new Kernel.Local(32L * Math.max(1, world.circles())));
+        batch.range(1, world.oneGroup()).arguments(known, new Kernel.Local(Batch.COUNTS), colours(world));
+        solve.range(1, world.oneGroup()).arguments(known, new Kernel.Local(bodies(world)));
     }
 
-    /** Contacts for which there is local memory; with more it takes longer. */
-    private static int contacts(int circles) {
-        return 5 * circles / 2;
+    /** The local memory of colours, on a GPU for two and a half contacts a circle: with more of them it takes longer. */
+    private static Object[] colours(SmallWorld world) {
+        return world.asOnGpu()
+                ? Batch.local(5 * world.circles() / 2, world.circles(), false)
+                : Batch.local(0, 0, false);
     }
 
-    /** Local memory that the kernels need at most, which is what {@code c2d_alone_batch} does. */
-    static long localBytes(int circles) {
+    /** Local memory that the kernels need at most. */
+    static long localBytes(SmallWorld world) {
         long bytes = Batch.COUNTS;
-        for (Object argument : Batch.local(contacts(circles), circles, false)) {
+        for (Object argument : colours(world)) {
             bytes += argument instanceof Kernel.Local memory ? memory.bytes() : 0;
         }
-        return bytes;
+        return Math.max(bytes, bodies(world));
+    }
+
+    private static long bodies(SmallWorld world) {
+        return 32L * Math.max(1, world.circles());
     }
 
     void grid() {

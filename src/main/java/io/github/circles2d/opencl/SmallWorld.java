@@ -60,9 +60,7 @@ record SmallWorld(
      * would take longer.
      */
     boolean alone() {
-        return tiles.tilings == 1
-                && circles() <= config.smallWorld()
-                && Alone.localBytes(circles()) <= device.localMemory;
+        return tiles.tilings == 1 && circles() <= config.smallWorld() && Alone.localBytes(this) <= device.localMemory;
     }
 
     /** As {@link OpenClDevice#asOnGpu} says. */

@@ -19,8 +19,8 @@ public final class SmallPipeline implements Stepper {
     private Levels used;
     private float fastest;
     private float before;
-    /** By their count, those that there may be. */
-    private final Substeps[] known = new Substeps[Tuning.MAX_SUBSTEPS + 1];
+    /** Those that there may be, fewest first: a world that chooses anew in every step should allocate nothing then. */
+    private final Substeps[] known;
 
     private Substeps substeps;
     private int perDetection;
@@ -30,11 +30,12 @@ public final class SmallPipeline implements Stepper {
     public SmallPipeline(WorldConfig config, SmallStages stages) {
         this.config = config;
         this.stages = stages;
-        // a world that chooses anew in every step should allocate nothing then
-        int unit = config.substeps() > 0 ? config.substeps() : Tuning.AUTO_UNIT;
-        int most = config.substeps() > 0 ? config.substeps() : Tuning.AUTO_MOST;
-        for (int count = unit; count <= most; count += unit) {
-            known[count] = Substeps.of(config, count);
+        int fixed = config.substeps();
+        known = fixed > 0
+                ? new Substeps[] {Substeps.of(config, fixed)}
+                : new Substeps[Tuning.AUTO_MOST / Tuning.AUTO_UNIT];
+        for (int k = 0; fixed == 0 && k < known.length; k++) {
+            known[k] = Substeps.of(config, (k + 1) * Tuning.AUTO_UNIT);
         }
     }
 
@@ -51,8 +52,9 @@ public final class SmallPipeline implements Stepper {
     @Override
     public void step() {
         await();
-        int count = config.substeps() > 0 ? config.substeps() : Substeps.choose(config, population, fastest);
-        substeps = known[count];
+        substeps = known.length == 1
+                ? known[0]
+                : known[Substeps.choose(config, population, fastest) / Tuning.AUTO_UNIT - 1];
         Levels now = levels[0];
         perDetection = perDetection(now);
         for (Levels wider : levels) {
