@@ -13,13 +13,21 @@ static float2 c2d_direction(int i, int j) {
     return (float2)(x / length, y / length);
 }
 
+// Whether two circles are nearer than their radii; nearly all pairs are not.
+static bool c2d_reaches(float4 a, float4 b) {
+    const float dx = b.x - a.x;
+    const float dy = b.y - a.y;
+    const float reach = a.z + b.z;
+    return dx * dx + dy * dy < reach * reach;
+}
+
 // The minimum translation vector, pointing from i to j; zero where the two do not overlap. Twin of host.Detect.
 static float2 c2d_translation(float4 a, float4 b, int i, int j) {
     const float dx = b.x - a.x;
     const float dy = b.y - a.y;
     const float reach = a.z + b.z;
     const float square = dx * dx + dy * dy;
-    if (!(square < reach * reach)) {
+    if (!c2d_reaches(a, b)) {
         return (float2)(0.0f, 0.0f);
     }
     const float distance = sqrt(square);
@@ -48,6 +56,7 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
     if (item >= stride) {
         return;
     }
+#if C2D_TRIANGLE || !C2D_GPU
 #pragma unroll
     for (int turn = 0; turn < C2D_PAIRS; turn++) {
         if (item < (c2d_index)pairs) {
@@ -67,5 +76,31 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
         }
         item += stride;
     }
+#else
+    // first all of them without a branch, which processors take longer for; a pair that is none is the first one again
+    int2 pair[C2D_PAIRS];
+    uint reach = 0u;
+#pragma unroll
+    for (int turn = 0; turn < C2D_PAIRS; turn++) {
+        const c2d_index own = item + (c2d_index)turn * stride;
+        const bool is = own < (c2d_index)pairs;
+        pair[turn] = c2d_pair_at((c2d_index)first + (is ? own : item), (c2d_index)first, circles, table);
+        reach |= (uint)(is & c2d_reaches(circle[pair[turn].x], circle[pair[turn].y])) << turn;
+    }
+    if (reach == 0u) {
+        return;
+    }
+#pragma unroll
+    for (int turn = 0; turn < C2D_PAIRS; turn++) {
+        if ((reach >> turn & 1u) != 0u) {
+            const int i = pair[turn].x;
+            const int j = pair[turn].y;
+            const float2 translation = c2d_translation(circle[i], circle[j], i, j);
+            if (translation.x != 0.0f || translation.y != 0.0f) {
+                c2d_append(pair[turn], translation, found, status, capacity);
+            }
+        }
+    }
+#endif
 }
 #endif

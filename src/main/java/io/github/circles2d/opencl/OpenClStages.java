@@ -69,6 +69,7 @@ final class OpenClStages implements Stages {
         program = Program.build(
                 session,
                 Map.of(
+                        "C2D_GPU", session.device.asOnGpu(config) ? 1 : 0,
                         "C2D_WIDE", wanted ? 1 : 0,
                         "C2D_TRIANGLE", config.triangle() ? 1 : 0,
                         "C2D_PAIRWISE", config.strategy().pairwise() ? 1 : 0,
