@@ -75,8 +75,10 @@ public final class Hashes {
         for (ComputeDevice device : ComputeDevice.list()) {
             for (IndexStrategy strategy : IndexStrategy.builtIn()) {
                 for (CollisionStore store : CollisionStore.values()) {
+                    // the solver for which strategies and stores make the most difference
                     Circles2D.Builder builder = Circles2D.builder()
                             .device(device)
+                            .solver(Solver.IMPULSE)
                             .indexStrategy(strategy)
                             .collisionStore(store);
                     try (Circles2D world = Scene.THESIS.build(builder, CIRCLES)) {
