@@ -1,5 +1,5 @@
-// The numbers of a substep that circles, walls and contacts need. Whoever needs them reads them once, for the compiler cannot know that
-// nothing is stored over them.
+// The numbers of a substep that circles, walls and contacts need; where they come from, pipeline.Substeps. Whoever needs them reads them
+// once, for the compiler cannot know that nothing is stored over them.
 
 // Of an axis: what gravity adds to a velocity, the highest speed, and where the walls are.
 typedef struct {
