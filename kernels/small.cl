@@ -73,28 +73,6 @@ typedef struct {
 #define C2D_MEMBERS C2D_AT(int, idBefore)
 #define C2D_TINT C2D_AT(ushort, listStartBefore)
 
-// The numbers of a substep, in `rule`.
-#define C2D_TIME rule[0]
-#define C2D_PER_TIME rule[1]
-#define C2D_BOUNCE_FROM rule[2]
-#define C2D_PUSH_MOST rule[3]
-#define C2D_SLOWED rule[4]
-#define C2D_GAIN(axis) rule[5 + (axis)]
-#define C2D_RESCALE rule[7]
-#define C2D_SPEED(axis) rule[8 + (axis)]
-#define C2D_MIN(axis) rule[10 + (axis)]
-#define C2D_MAX(axis) rule[12 + (axis)]
-#define C2D_RESTITUTION rule[14]
-#define C2D_PUSH rule[15]
-#define C2D_SLOP rule[16]
-#define C2D_DEEP rule[17]
-#define C2D_EXTRAPOLATE rule[18]
-#define C2D_EXTRAPOLATE_UNEVEN rule[19]
-#define C2D_UNEVEN rule[20]
-#define C2D_IMPULSE_MOST rule[21]
-#define C2D_ALWAYS_NEAR rule[22]
-#define C2D_TURN rule[23]
-
 // `levels`, int8s: first one for all of the cells, then one a level, finest first.
 #define C2D_LEVELS s0
 #define C2D_PER_UNIT s3

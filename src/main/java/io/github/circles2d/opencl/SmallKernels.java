@@ -42,6 +42,7 @@ final class SmallKernels {
                     config.strategy().kernelSource()));
         }
         for (String file : List.of(
+                "numbers",
                 "small",
                 "scan",
                 "grid",
@@ -50,9 +51,9 @@ final class SmallKernels {
                 "match",
                 "batch",
                 "batch_colour",
+                "batch_sort",
                 "batch_local",
                 "batch_order",
-                "numbers",
                 "walls",
                 "integrate")) {
             sources.add(Program.file(file + ".cl"));
@@ -74,9 +75,9 @@ final class SmallKernels {
                 "detect",
                 "batch",
                 "batch_colour",
+                "batch_sort",
                 "batch_local",
                 "batch_order",
-                "numbers",
                 "walls",
                 "integrate",
                 "visit");
@@ -93,9 +94,9 @@ final class SmallKernels {
                 "grid",
                 "batch",
                 "batch_colour",
+                "batch_sort",
                 "batch_local",
                 "batch_order",
-                "numbers",
                 "walls",
                 "integrate",
                 "visit",
@@ -111,7 +112,7 @@ final class SmallKernels {
     private static Program build(
             Session session, WorldConfig config, String options, List<String> files, String... others) {
         List<Map.Entry<String, String>> sources = new ArrayList<>();
-        for (String file : List.of("common", "small")) {
+        for (String file : List.of("common", "numbers", "small")) {
             sources.add(Program.functions(file + ".cl"));
         }
         for (String file : others) {

@@ -6,7 +6,7 @@ package io.github.circles2d.pipeline;
  *
  * @param count substeps of a step
  * @param seconds time of a substep
- * @param numbers what the kernels read, by the names in {@code kernels/small.cl}
+ * @param numbers what the kernels read, by the names in {@code kernels/numbers.cl}
  */
 public record Substeps(int count, float seconds, float[] numbers) {
     public static final int TIME = 0;
