@@ -1,11 +1,11 @@
 // Of stage batch: colours a tile as batch_colour.cl does, in the local memory of a work-group, where that is worth its while
 // and the tile fits. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
 
-// What that takes: of up to `most` contacts, entries, the codes, and which are first in their row; of up to `slots` circles, a
-// power of two, the colours, up to C2D_LOCAL_COLOURS, and, unless they are `direct`, whose they are; where bins begin; how many
-// `rows` there are, or more than there can be where the tile does not fit. An entry is, in the end, the slots of the two circles,
-// with C2D_LAST in the last of a row, and the number of the contact. `direct`, of a world that is one tile: slots are places, and
-// its contacts, in the order of the lists, are in rows already.
+// What that takes: of up to `most` contacts, entries, the codes, and which are first in their row; of up to `slots` circles, the
+// colours, up to C2D_LOCAL_COLOURS, and, unless they are `direct`, whose they are; where bins begin; how many `rows` there are, or
+// more than there can be where the tile does not fit. An entry is, in the end, the slots of the two circles, with C2D_LAST in the
+// last of a row, and the number of the contact. `direct`, of a world that is one tile: slots are places, and its contacts, in the
+// order of the lists, are in rows already. If not, slots are a power of two.
 #define C2D_LOCAL                                                                                                      \
     int most, int slots, bool direct, __local uint *masks, __local int *places, __local int2 *entries,                  \
         __local ushort *codes, __local ushort *starts, __local int *bins, __local int *rows

@@ -11,8 +11,8 @@ import java.util.Locale;
 import java.util.Set;
 
 /**
- * One answer on every device. Without arguments: the state hash of the thesis' scene for each strategy, store and device of
- * this machine, as a table in Markdown; ends with status 1 where two differ. With {@code golden} and a device: the state
+ * One answer on every device. Without arguments: the state hash of the thesis' scene and solver for each strategy, store and
+ * device of this machine, as a table in Markdown; ends with status 1 where two differ. With {@code golden} and a device: the state
  * hashes of every scene under small steps, as the file that the tests compare with. From the root of the project
  *
  * <pre>{@code

@@ -14,7 +14,7 @@ final class PairSource {
         void accept(int i, int j);
     }
 
-    /** Slices of 2^27 pairs: a table of all pairs is then as large as a Java buffer can be. */
+    /** Slices of 2^27 pairs: a table of all pairs is then, at 8 bytes a pair, as large as a Java buffer can be. */
     private static final long PAIRS_PER_SLICE = 1L << 27;
 
     private final WorldConfig config;
