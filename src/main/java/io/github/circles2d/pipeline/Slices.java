@@ -29,13 +29,13 @@ public record Slices(int circles, long most, int count) {
         if (circles < 2 || config.pairsPerSlice() > 0) {
             return of(circles, Math.max(1, config.pairsPerSlice()));
         }
-        boolean tableGrows =
-                config.strategy().tableBytes(circles, 2) > config.strategy().tableBytes(circles, 1);
-        if (!tableGrows && !triangle) {
+        long table =
+                config.strategy().tableBytes(circles, 2) - config.strategy().tableBytes(circles, 1);
+        if (table == 0 && !triangle) {
             return of(circles, Long.MAX_VALUE);
         }
-        long bytes = Math.min(tableGrows ? Tuning.TABLE_BYTES : Tuning.TRIANGLE_BYTES, maxBuffer);
-        return of(circles, Math.max(1, bytes / 8));
+        long bytes = Math.min(table > 0 ? Tuning.TABLE_BYTES : Tuning.TRIANGLE_BYTES, maxBuffer);
+        return of(circles, Math.max(1, bytes / Math.max(table, triangle ? 8 : 0)));
     }
 
     /** First pair of a slice. */
