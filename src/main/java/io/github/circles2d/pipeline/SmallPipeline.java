@@ -31,11 +31,10 @@ public final class SmallPipeline implements Stepper {
         this.config = config;
         this.stages = stages;
         int fixed = config.substeps();
-        known = fixed > 0
-                ? new Substeps[] {Substeps.of(config, fixed)}
-                : new Substeps[Tuning.AUTO_MOST / Tuning.AUTO_UNIT];
-        for (int k = 0; fixed == 0 && k < known.length; k++) {
-            known[k] = Substeps.of(config, (k + 1) * Tuning.AUTO_UNIT);
+        int unit = fixed > 0 ? fixed : Tuning.AUTO_UNIT;
+        known = new Substeps[fixed > 0 ? 1 : Tuning.AUTO_MOST / unit];
+        for (int k = 0; k < known.length; k++) {
+            known[k] = Substeps.of(config, (k + 1) * unit);
         }
     }
 
