@@ -16,14 +16,14 @@ public final class Internals {
      *
      * @param workGroup work-items of a group, 0 for what suits the device
      * @param pairsPerSlice 0 for what the device allows
-     * @param smallWorld largest world that one work-group resolves, circles; with fewer than 4096, small worlds have many tiles, as
+     * @param smallWorld largest world that one work-group resolves, circles; with fewer than {@link Tuning#SMALL_WORLD}, small worlds have many tiles, as
      *     large ones do
      */
     public static Circles2D.Builder builder(int workGroup, long pairsPerSlice, int smallWorld) {
         return new WorldBuilder()
                 .workGroup(workGroup)
                 .pairsPerSlice(pairsPerSlice)
-                .oneTile(smallWorld < 4096 ? 0 : Tuning.ALONE_CIRCLES)
+                .oneTile(smallWorld < Tuning.SMALL_WORLD ? 0 : Tuning.ALONE_CIRCLES)
                 .smallWorld(smallWorld);
     }
 

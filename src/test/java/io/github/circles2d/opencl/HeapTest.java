@@ -4,12 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import io.github.circles2d.CollisionStore;
-import io.github.circles2d.IndexStrategy;
-import io.github.circles2d.Solver;
 import io.github.circles2d.TestDevices;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Population;
+import io.github.circles2d.pipeline.SmallSteps;
 import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.ByteBuffer;
@@ -24,23 +22,7 @@ import org.junit.jupiter.api.Test;
 
 /** The parts of the heap stay apart, and keep what is in them when it grows. */
 class HeapTest {
-    private static final WorldConfig CONFIG = new WorldConfig(
-            1f / 60,
-            0,
-            -1,
-            0.5f,
-            0,
-            0,
-            1,
-            1,
-            IndexStrategy.grid(),
-            CollisionStore.COMPACT,
-            Solver.SMALL_STEPS,
-            0,
-            0,
-            0,
-            0,
-            8);
+    private static final WorldConfig CONFIG = SmallSteps.box(1, 0);
 
     private Session session;
     private State state;

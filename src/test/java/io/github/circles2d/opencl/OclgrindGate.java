@@ -11,8 +11,8 @@ import io.github.circles2d.demo.Scene;
 import io.github.circles2d.pipeline.KernelSources;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Population;
+import io.github.circles2d.pipeline.SmallSteps;
 import io.github.circles2d.pipeline.Tuning;
-import io.github.circles2d.pipeline.WorldConfig;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
@@ -136,24 +136,7 @@ public final class OclgrindGate {
                 circle.put(4 * i + 2, radius);
             }
             // the world's own cells follow from its box alone
-            WorldConfig box = new WorldConfig(
-                    1f / 60,
-                    0,
-                    -1,
-                    0.5f,
-                    0,
-                    0,
-                    1,
-                    1,
-                    IndexStrategy.grid(),
-                    CollisionStore.COMPACT,
-                    Solver.SMALL_STEPS,
-                    0,
-                    0,
-                    0,
-                    0,
-                    1);
-            Levels levels = Levels.of(box, Population.of(circle, circles), Tuning.REACH);
+            Levels levels = Levels.of(SmallSteps.box(1, 0), Population.of(circle, circles), Tuning.REACH);
             int at = Levels.at(0);
             require(levels.folded(at), "a folded level");
             int row = 0;

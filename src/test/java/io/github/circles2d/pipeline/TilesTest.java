@@ -3,9 +3,6 @@ package io.github.circles2d.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import io.github.circles2d.CollisionStore;
-import io.github.circles2d.IndexStrategy;
-import io.github.circles2d.Solver;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -47,24 +44,7 @@ class TilesTest {
     }
 
     private static Levels levels(int circles, float boxes, float ratio, float reach, int oneTile) {
-        WorldConfig config = new WorldConfig(
-                1f / 60,
-                0,
-                -1,
-                0.5f,
-                0,
-                0,
-                boxes,
-                1,
-                IndexStrategy.grid(),
-                CollisionStore.COMPACT,
-                Solver.SMALL_STEPS,
-                0,
-                0,
-                0,
-                oneTile,
-                8);
-        return Levels.of(config, population(circles, ratio), reach);
+        return Levels.of(SmallSteps.box(boxes, oneTile), population(circles, ratio), reach);
     }
 
     private static void neighboursShareATile(Levels levels) {

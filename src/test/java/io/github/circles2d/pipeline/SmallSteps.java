@@ -1,0 +1,36 @@
+package io.github.circles2d.pipeline;
+
+import io.github.circles2d.CollisionStore;
+import io.github.circles2d.IndexStrategy;
+import io.github.circles2d.Solver;
+
+/** What tests of the insides of {@link Solver#SMALL_STEPS} build their worlds from. */
+public final class SmallSteps {
+    private SmallSteps() {}
+
+    /**
+     * A box from the origin, 1 high, with the gravity and the restitution that worlds have.
+     *
+     * @param width of the box
+     * @param oneTile as {@link WorldConfig} says
+     */
+    public static WorldConfig box(float width, int oneTile) {
+        return new WorldConfig(
+                1f / 60,
+                0,
+                -1,
+                0.5f,
+                0,
+                0,
+                width,
+                1,
+                IndexStrategy.grid(),
+                CollisionStore.COMPACT,
+                Solver.SMALL_STEPS,
+                0,
+                0,
+                0,
+                oneTile,
+                8);
+    }
+}
