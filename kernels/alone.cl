@@ -59,8 +59,9 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, 
                          C2D_TILE_START, C2D_SOLVES, (int2)(0, 0), stalled, true, 0, counts);
 }
 
-// All substeps of a detection: integrate.cl and solve.cl.
-__kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, __local float8 *bodies, int substeps) {
+// All substeps of a detection, and of the last of a step, which `publishes`, its end: integrate.cl and solve.cl.
+__kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 *circle, __global float2 *velocities,
+                              __local float8 *bodies, __local uint *most, int substeps) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
@@ -69,6 +70,9 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, __local float8 *bodies, int sub
     const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
     for (int i = item; i < circles; i += items) {
         c2d_body_to(bodies, i, circles, C2D_BODY[i]);
+    }
+    for (int k = item; k < C2D_MOST; k += items) {
+        most[k] = 0u;
     }
     for (int substep = 0; substep < substeps; substep++) {
         for (int i = item; i < circles; i += items) {
@@ -79,6 +83,16 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, __local float8 *bodies, int sub
         c2d_solve_bodies(tile.s0, tile.s1, stalled ? 0 : tile.s4, bodies, circles, 0, C2D_SOLVE_HERE);
     }
     for (int i = item; i < circles; i += items) {
-        C2D_BODY[i] = c2d_body_of(bodies, i, circles);
+        const float8 body = c2d_integrated(c2d_body_of(bodies, i, circles), i, true, false, C2D_CIRCLES_HERE);
+        C2D_BODY[i] = body;
+        if (publishes) {
+            c2d_publish(body, C2D_ID[i], circle, velocities, most);
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (item == 0 && publishes) {
+        status[C2D_FASTEST] = most[C2D_MOST_FASTEST];
+        status[C2D_MOVED] = most[C2D_MOST_MOVED];
+        status[C2D_TOP_SPEED] = most[C2D_MOST_TOP_SPEED];
     }
 }

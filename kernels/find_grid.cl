@@ -34,7 +34,7 @@ static void c2d_find_put_smaller(int i, int j, int circles, __global const int *
 
 // Circle i looks into half of the cells around its own, and into all of those of wider levels: from the last to the first,
 // so that its own list fills up from its end.
-static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float fall,
+static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float slack,
                             bool fill) {
     const float8 own = body[i];
     const int4 ownCell = c2d_cell(own, levels, rule);
@@ -70,7 +70,7 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
 #endif
                     for (int turn = 0; turn < atOnce && last - turn >= first; turn++) {
                         const int j = last - turn;
-                        if (!c2d_near(own, C2D_CANDIDATE, rule, horizon, fall)) {
+                        if (!c2d_near(own, C2D_CANDIDATE, rule, horizon, slack)) {
                             continue;
                         }
                         if (folded) {
@@ -108,14 +108,14 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
     }
 }
 
-__kernel void c2d_find_count(C2D_WORLD, float horizon, float fall) {
+__kernel void c2d_find_count(C2D_WORLD, float horizon, float slack) {
     const int i = (int)get_global_id(0);
     if (i < world.circles && status[C2D_STALLED] == 0u) {
-        c2d_find_around(i, C2D_FIND_HERE, C2D_BUCKET_START, C2D_KEPT_PAIRS, horizon, fall, false);
+        c2d_find_around(i, C2D_FIND_HERE, C2D_BUCKET_START, C2D_KEPT_PAIRS, horizon, slack, false);
     }
 }
 
-__kernel void c2d_find_fill(C2D_WORLD, float horizon, float fall) {
+__kernel void c2d_find_fill(C2D_WORLD, float horizon, float slack) {
     const int i = (int)get_global_id(0);
     const int circles = world.circles;
     if (i >= circles || status[C2D_STALLED] != 0u) {
@@ -123,7 +123,7 @@ __kernel void c2d_find_fill(C2D_WORLD, float horizon, float fall) {
     }
     const int pairs = C2D_FILLED[i];
     if (pairs > C2D_KEPT) {
-        c2d_find_around(i, C2D_FIND_HERE, C2D_BUCKET_START, C2D_KEPT_PAIRS, horizon, fall, true);
+        c2d_find_around(i, C2D_FIND_HERE, C2D_BUCKET_START, C2D_KEPT_PAIRS, horizon, slack, true);
         return;
     }
     const bool folded = pairs > 0 && c2d_is_folded(C2D_LEVEL_TABLE[1 + c2d_cell(C2D_BODY[i], C2D_LEVEL_TABLE, C2D_RULE).z]);

@@ -1,6 +1,6 @@
 // Stage find by the index strategy, one work-item a pair. Twin of host.Find.
 
-static void c2d_find_pair(C2D_FIND, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall,
+static void c2d_find_pair(C2D_FIND, __global const int2 *table, ulong first, ulong pairs, float horizon, float slack,
                           bool fill) {
     const size_t item = get_global_id(0);
     if (item >= pairs || status[C2D_STALLED] != 0u) {
@@ -9,7 +9,7 @@ static void c2d_find_pair(C2D_FIND, __global const int2 *table, ulong first, ulo
     const int2 pair = c2d_pair_at((c2d_index)first + (c2d_index)item, (c2d_index)first, circles, table);
     const float8 bodyA = body[pair.x];
     const float8 bodyB = body[pair.y];
-    if (!c2d_near(bodyA, bodyB, rule, horizon, fall)) {
+    if (!c2d_near(bodyA, bodyB, rule, horizon, slack)) {
         return;
     }
     const int4 a = c2d_cell(bodyA, levels, rule);
@@ -30,10 +30,10 @@ static void c2d_find_pair(C2D_FIND, __global const int2 *table, ulong first, ulo
     }
 }
 
-__kernel void c2d_find_count(C2D_WORLD, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall) {
-    c2d_find_pair(C2D_FIND_HERE, table, first, pairs, horizon, fall, false);
+__kernel void c2d_find_count(C2D_WORLD, __global const int2 *table, ulong first, ulong pairs, float horizon, float slack) {
+    c2d_find_pair(C2D_FIND_HERE, table, first, pairs, horizon, slack, false);
 }
 
-__kernel void c2d_find_fill(C2D_WORLD, __global const int2 *table, ulong first, ulong pairs, float horizon, float fall) {
-    c2d_find_pair(C2D_FIND_HERE, table, first, pairs, horizon, fall, true);
+__kernel void c2d_find_fill(C2D_WORLD, __global const int2 *table, ulong first, ulong pairs, float horizon, float slack) {
+    c2d_find_pair(C2D_FIND_HERE, table, first, pairs, horizon, slack, true);
 }

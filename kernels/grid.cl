@@ -1,7 +1,7 @@
 // Sorts the circles by bucket of their cell, and by number within each: a counting sort, then ranks. One work-item a circle.
 // Reads what the detection before wrote and leaves it as it is, so that a detection can be done again. Twin of host.Grid.
 
-// Empties what is counted into, cell k and part k of the tiles, of as many and one more; and what the status says of the step.
+// Empties what is counted into, cell k and part k of the tiles, of as many and one more; and what the status says of contacts.
 static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *tileStart, __global uint *status, int cells,
                               int parts) {
     if (k <= cells) {
@@ -12,7 +12,6 @@ static void c2d_grid_clear_at(int k, __global int *bucketStart, __global int *ti
     }
     if (k == 0) {
         status[C2D_CONTACTS] = 0u;
-        status[C2D_FASTEST] = 0u;
     }
 }
 

@@ -153,6 +153,9 @@ static void c2d_solve_any(int8 tile, int begins, C2D_WORLD, __local float8 *bodi
 // A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share.
 __kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, __local float8 *bodies, __local int *places) {
     const int group = (int)get_group_id(0);
+    if (begins == C2D_KICK) {
+        c2d_publish_clear(status);
+    }
 #if C2D_GPU
     for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
         c2d_solve_any(C2D_SOLVES[firstTile + turn], begins, heap, status, world, bodies, places);

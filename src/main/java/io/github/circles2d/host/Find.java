@@ -22,7 +22,7 @@ final class Find {
     private int[] owns = {};
 
     private float horizon;
-    private float fall;
+    private float slack;
 
     Find(WorldConfig config, SmallState state, SmallContacts contacts, Workers workers) {
         this.state = state;
@@ -35,9 +35,9 @@ final class Find {
         Arrays.setAll(listed, part -> new SmallContacts.Found());
     }
 
-    void run(float newHorizon, float newFall) {
+    void run(float newHorizon, float newSlack) {
         horizon = newHorizon;
-        fall = newFall;
+        slack = newSlack;
         contacts.turn();
         if (owns.length < state.id.length) {
             owns = new int[state.id.length];
@@ -178,7 +178,7 @@ final class Find {
         float rb = body[b + SmallState.RADIUS];
         float travel = (float) Math.sqrt(dvx * dvx + dvy * dvy) * horizon;
         float smaller = ra < rb ? ra : rb;
-        float reach = ra + rb + state.number(Substeps.ALWAYS_NEAR) * smaller + fall + travel;
+        float reach = ra + rb + state.number(Substeps.ALWAYS_NEAR) * smaller + slack + travel;
         return dx * dx + dy * dy < reach * reach;
     }
 }

@@ -58,9 +58,9 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void detect(float horizon, float fall) {
+    public void detect(float horizon, float slack) {
         grid.run();
-        find.run(horizon, fall);
+        find.run(horizon, slack);
         match.run();
         batch.run();
         detections++;
@@ -91,7 +91,17 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public Status await() {
+    public float moved() {
+        return state.moved;
+    }
+
+    @Override
+    public float speed() {
+        return state.speed;
+    }
+
+    @Override
+    public Status await(boolean reading) {
         int done = detections;
         detections = 0;
         return status.set(contacts.listStart[state.circles], false, done);

@@ -70,7 +70,7 @@ public final class HostStages implements Stages {
     }
 
     @Override
-    public Status await() {
+    public Status await(boolean reading) {
         return status.set(contacts.count, false, 0);
     }
 

@@ -44,6 +44,8 @@ final class SmallState {
     Levels levels;
     Substeps substeps;
     float fastest;
+    float moved;
+    float speed;
 
     /** The kernel {@code c2d_load}. */
     void upload(FloatBuffer newCircle, FloatBuffer newVelocities, Levels newLevels) {
@@ -83,18 +85,28 @@ final class SmallState {
     /** What the kernel {@code c2d_integrate} publishes. */
     void publish() {
         fastest = 0;
+        float farthest = 0;
+        float highest = 0;
         for (int i = 0; i < circles; i++) {
             int b = BODY * i;
             int d = id[i];
+            float dx = body[b + X] - circle[4 * d];
+            float dy = body[b + Y] - circle[4 * d + 1];
             float vx = body[b + VX];
             float vy = body[b + VY];
             circle[4 * d] = body[b + X];
             circle[4 * d + 1] = body[b + Y];
             velocities[2 * d] = vx;
             velocities[2 * d + 1] = vy;
-            float speed = (float) Math.sqrt(vx * vx + vy * vy) / body[b + RADIUS];
-            fastest = speed > fastest ? speed : fastest;
+            float square = vx * vx + vy * vy;
+            float inRadii = (float) Math.sqrt(square) / body[b + RADIUS];
+            fastest = inRadii > fastest ? inRadii : fastest;
+            float way = dx * dx + dy * dy;
+            farthest = way > farthest ? way : farthest;
+            highest = square > highest ? square : highest;
         }
+        moved = (float) Math.sqrt(farthest);
+        speed = (float) Math.sqrt(highest);
     }
 
     void download(FloatBuffer toCircle, FloatBuffer toVelocities) {

@@ -1,22 +1,41 @@
 package io.github.circles2d.opencl;
 
+import java.util.Arrays;
+
 /** Host code of {@code kernels/alone.cl}: stages of a small world by one work-group. */
 final class Alone {
     private final Kernel grid;
     private final Kernel batch;
     private final Kernel solve;
+    private final Kernel solveLast;
+    private final int[] substeps = new int[2];
 
     Alone(Session session, Program program) {
         grid = new Kernel(session, program, "c2d_alone_grid");
         batch = new Kernel(session, program, "c2d_alone_batch");
         solve = new Kernel(session, program, "c2d_alone_solve");
+        solveLast = new Kernel(session, program, "c2d_alone_solve");
     }
 
     void bind(SmallWorld world) {
         Object[] known = world.known();
         grid.range(1, world.oneGroup()).arguments(known, world.levels().cells, new Kernel.Local(4L * grid.group()));
         batch.range(1, world.oneGroup()).arguments(known, new Kernel.Local(Batch.COUNTS), colours(world));
-        solve.range(1, world.oneGroup()).arguments(known, new Kernel.Local(bodies(world)));
+        bind(solve, world, 0);
+        bind(solveLast, world, 1);
+        Arrays.fill(substeps, 0);
+    }
+
+    private static void bind(Kernel kernel, SmallWorld world, int publishes) {
+        State state = world.state();
+        kernel.range(1, world.oneGroup())
+                .arguments(
+                        world.known(),
+                        publishes,
+                        state.circle,
+                        state.velocities,
+                        new Kernel.Local(bodies(world)),
+                        new Kernel.Local(Integrate.MOST_BYTES));
     }
 
     /** The local memory of colours, on a GPU for two and a half contacts a circle: with more of them it takes longer. */
@@ -32,7 +51,7 @@ final class Alone {
         for (Object argument : colours(world)) {
             bytes += argument instanceof Kernel.Local memory ? memory.bytes() : 0;
         }
-        return Math.max(bytes, bodies(world));
+        return Math.max(bytes, bodies(world) + Integrate.MOST_BYTES);
     }
 
     private static long bodies(SmallWorld world) {
@@ -47,9 +66,22 @@ final class Alone {
         batch.launch();
     }
 
-    /** As {@link io.github.circles2d.pipeline.SmallStages#solve} says. */
-    void solve(int substeps) {
-        solve.more(substeps);
-        solve.launch();
+    /** Substeps, the end of the last included. */
+    void solve(int count) {
+        solve(solve, 0, count);
+    }
+
+    /** The same, of a step the last of them. */
+    void solveLast(int count) {
+        solve(solveLast, 1, count);
+    }
+
+    private void solve(Kernel kernel, int which, int count) {
+        // an argument costs a third of a launch
+        if (substeps[which] != count) {
+            substeps[which] = count;
+            kernel.more(count);
+        }
+        kernel.launch();
     }
 }

@@ -13,7 +13,7 @@ final class Find {
     private final List<Kernel> fill = new ArrayList<>();
     private final Scan scan;
     private float horizon;
-    private float gravityFall;
+    private float slack;
 
     /** @param tables the pairs, or null to look into the grid */
     Find(Session session, Program program, PairTables tables) {
@@ -56,11 +56,11 @@ final class Find {
         }
     }
 
-    void run(float newHorizon, float newFall) {
+    void run(float newHorizon, float newSlack) {
         // an argument costs a third of a launch
-        boolean changes = horizon != newHorizon || gravityFall != newFall;
+        boolean changes = horizon != newHorizon || slack != newSlack;
         horizon = newHorizon;
-        gravityFall = newFall;
+        slack = newSlack;
         run(count, changes);
         scan.run();
         run(fill, changes);
@@ -69,7 +69,7 @@ final class Find {
     private void run(List<Kernel> kernels, boolean changes) {
         for (int s = 0; s < kernels.size(); s++) {
             if (changes) {
-                kernels.get(s).more(horizon, gravityFall);
+                kernels.get(s).more(horizon, slack);
             }
             kernels.get(s).launch();
         }

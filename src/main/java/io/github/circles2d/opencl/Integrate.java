@@ -2,6 +2,9 @@ package io.github.circles2d.opencl;
 
 /** Host code of {@code kernels/integrate.cl}: a substep's share of each circle alone. */
 final class Integrate {
+    /** Local memory of what is found out at the end of a step, bytes. */
+    static final int MOST_BYTES = 12;
+
     private final Kernel integrate;
     private final Kernel publish;
 
@@ -17,7 +20,7 @@ final class Integrate {
 
     private static void bind(Kernel kernel, SmallWorld world, int publishes) {
         State state = world.state();
-        kernel.arguments(world.known(), publishes, state.circle, state.velocities, new Kernel.Local(4))
+        kernel.arguments(world.known(), publishes, state.circle, state.velocities, new Kernel.Local(MOST_BYTES))
                 .range(state.circles, world.group());
     }
 

@@ -48,6 +48,8 @@ final class OpenClSmallStages implements SmallStages {
     private long queued;
 
     private long done;
+    /** Substeps asked for last. */
+    private int waiting;
     /** Circles that have a place. */
     private int placed;
 
@@ -175,16 +177,16 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void detect(float horizon, float fall) {
+    public void detect(float horizon, float slack) {
         SmallKernels now = bound((int) (queued & 1));
         if (now.isAlone) {
             now.alone.grid();
-            now.find.run(horizon, fall);
+            now.find.run(horizon, slack);
             now.match.run();
             now.alone.batch();
         } else {
             now.grid.run();
-            now.find.run(horizon, fall);
+            now.find.run(horizon, slack);
             now.match.run();
             now.batch.run(groups());
         }
@@ -215,16 +217,19 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void integrate() {
-        now().integrate.run();
+        if (now().isAlone) {
+            now().alone.solve(waiting);
+        } else {
+            now().integrate.run();
+        }
     }
 
     @Override
     public void solve(int count) {
-        SmallKernels now = now();
-        if (now.isAlone) {
-            now.alone.solve(count);
-        } else {
-            now.solve.run(count, groups());
+        // one work-group does the end of the last as well
+        waiting = count;
+        if (!now().isAlone) {
+            now().solve.run(count, groups());
         }
     }
 
@@ -242,7 +247,11 @@ final class OpenClSmallStages implements SmallStages {
     @Override
     public void publish() {
         state.changes();
-        now().integrate.publish();
+        if (now().isAlone) {
+            now().alone.solveLast(waiting);
+        } else {
+            now().integrate.publish();
+        }
         session.flush();
     }
 
@@ -252,8 +261,18 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public Status await() {
-        Status status = state.await();
+    public float moved() {
+        return state.moved();
+    }
+
+    @Override
+    public float speed() {
+        return state.speed();
+    }
+
+    @Override
+    public Status await(boolean reading) {
+        Status status = state.await(reading);
         done += status.updates();
         return status;
     }

@@ -169,8 +169,8 @@ final class OpenClStages implements Stages {
     }
 
     @Override
-    public Status await() {
-        Status status = state.await();
+    public Status await(boolean reading) {
+        Status status = state.await(reading);
         found = (int) status.contacts();
         return status;
     }

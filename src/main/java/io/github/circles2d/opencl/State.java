@@ -32,6 +32,8 @@ final class State {
     private boolean stagedWhole;
 
     private float fastest;
+    private float moved;
+    private float speed;
     private int tiles;
 
     private final Status done = new Status();
@@ -77,9 +79,9 @@ final class State {
         stagedWhole = false;
     }
 
-    /** What the device says of itself. Waits for all that is queued; a small world comes back whole. */
-    Status await() {
-        stagedWhole = oneTransfer();
+    /** What the device says of itself. Waits for all that is queued; a small world that is to be read comes back whole. */
+    Status await(boolean reading) {
+        stagedWhole = reading && oneTransfer();
         whole.read(0, staging.pointer(), stagedWhole ? bytes : STATUS_BYTES);
         if (session.compiles) {
             session.compiles = false;
@@ -90,6 +92,8 @@ final class State {
         updatesSeen = said.getInt(8);
         fastest = said.getFloat(12);
         tiles = said.getInt(16);
+        moved = (float) Math.sqrt(said.getFloat(20));
+        speed = (float) Math.sqrt(said.getFloat(24));
         if (said.getInt(4) == TOO_DENSE) {
             throw Status.tooDense();
         }
@@ -99,6 +103,16 @@ final class State {
     /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */
     float fastest() {
         return fastest;
+    }
+
+    /** The farthest that a circle has come in the last step, world units; after {@link #await()}, of small steps. */
+    float moved() {
+        return moved;
+    }
+
+    /** The highest speed after the last step, world units a second; as {@link #fastest}. */
+    float speed() {
+        return speed;
     }
 
     /** How many tiles of a tiling had anything in them in the last step; 0 if nobody knows. */

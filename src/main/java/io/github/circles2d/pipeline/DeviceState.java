@@ -12,13 +12,17 @@ public interface DeviceState extends AutoCloseable {
      */
     void download(FloatBuffer circle, FloatBuffer velocities);
 
-    /** Waits for everything and says how far it went. */
-    Status await();
+    /**
+     * Waits for everything and says how far it went.
+     *
+     * @param reading whether {@link #download} is to follow: a small world then comes back with what is said of it
+     */
+    Status await(boolean reading);
 
     /** Makes room for the contacts of a step that stalled, and readies the device to detect it again. */
     void makeRoom(long contacts);
 
-    /** What the last step looks like, computed on the device; after {@link #await()}. Waits. */
+    /** What the last step looks like, computed on the device; after {@link #await}. Waits. */
     StepSums sums();
 
     /** Memory of the device that the state takes, bytes; 0 in plain Java, where it is on the heap. */

@@ -29,7 +29,7 @@ public final class Pipeline implements Stepper {
         stages.update();
         collide();
         if (++inFlight >= Tuning.STEPS_IN_FLIGHT) {
-            await();
+            await(false);
         }
     }
 
@@ -42,10 +42,14 @@ public final class Pipeline implements Stepper {
     /** Waits until every queued step is done, growing the room for contacts where one needs it. */
     @Override
     public void await() {
+        await(true);
+    }
+
+    private void await(boolean reading) {
         if (inFlight == 0) {
             return;
         }
-        Status status = stages.await();
+        Status status = stages.await(reading);
         while (status.stalled()) {
             int left = inFlight - status.updates();
             stages.makeRoom(status.contacts());
@@ -55,7 +59,7 @@ public final class Pipeline implements Stepper {
                 stages.update();
                 collide();
             }
-            status = stages.await();
+            status = stages.await(reading);
         }
         contacts = status.contacts();
         inFlight = 0;

@@ -35,7 +35,7 @@ public record Population(
         }
     }
 
-    /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_integrate}. */
+    /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_publish}. */
     public float fastest(FloatBuffer velocities) {
         float fastest = 0;
         for (int i = 0; i < circles; i++) {
@@ -45,5 +45,17 @@ public record Population(
             fastest = speed > fastest ? speed : fastest;
         }
         return fastest;
+    }
+
+    /** Highest speed, world units a second. The arithmetic is that of {@code c2d_publish}. */
+    float speed(FloatBuffer velocities) {
+        float highest = 0;
+        for (int i = 0; i < circles; i++) {
+            float vx = velocities.get(2 * i);
+            float vy = velocities.get(2 * i + 1);
+            float square = vx * vx + vy * vy;
+            highest = square > highest ? square : highest;
+        }
+        return (float) Math.sqrt(highest);
     }
 }

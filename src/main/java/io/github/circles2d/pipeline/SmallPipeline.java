@@ -18,6 +18,13 @@ public final class SmallPipeline implements Stepper {
 
     private Levels used;
     private float fastest;
+    /** The farthest that a circle came in the last step, world units; infinite where nobody knows. */
+    private float moved;
+    /** The farthest that one is expected to come in the next: as far again, or as its speed says. */
+    private float coming;
+    /** How much farther circles may come before contacts are listed again; less than any comes where every step lists its own. */
+    private float skin = -1;
+
     private float before;
     /** Those that there may be, fewest first: a world that chooses anew in every step should allocate nothing then. */
     private final Substeps[] known;
@@ -40,8 +47,14 @@ public final class SmallPipeline implements Stepper {
 
     @Override
     public void upload(Population circles, FloatBuffer velocities) {
+        boolean more = population == null || circles.circles() != population.circles();
         population = circles;
         fastest = population.fastest(velocities);
+        if (more) {
+            skin = -1;
+            moved = Float.POSITIVE_INFINITY;
+        }
+        coming = skin < 0 ? moved : Math.max(moved, population.speed(velocities) * config.timeStep());
         boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
         used = levels[wide ? levels.length - 1 : 0];
@@ -50,10 +63,27 @@ public final class SmallPipeline implements Stepper {
 
     @Override
     public void step() {
-        await();
+        await(false);
         substeps = known.length == 1
                 ? known[0]
                 : known[Substeps.choose(config, population, fastest) / Tuning.AUTO_UNIT - 1];
+        boolean listed = coming <= skin;
+        if (!listed) {
+            choose();
+        }
+        stages.begin(substeps, before > 0 ? substeps.seconds() / before : 1);
+        before = substeps.seconds();
+        if (listed) {
+            stages.solve(substeps.count());
+            stages.publish();
+        } else {
+            run(0);
+        }
+        inFlight = true;
+    }
+
+    /** Which cells the detections of a step have, how many there are, and how far circles may go before the next. */
+    private void choose() {
         Levels now = levels[0];
         perDetection = perDetection(now);
         for (Levels wider : levels) {
@@ -69,10 +99,8 @@ public final class SmallPipeline implements Stepper {
             used = now;
             stages.use(now);
         }
-        stages.begin(substeps, before > 0 ? substeps.seconds() / before : 1);
-        before = substeps.seconds();
-        run(0);
-        inFlight = true;
+        float room = Math.min(substeps.skin(config, population, fastest, now.reach), Tuning.SKIN_STEPS * coming);
+        skin = perDetection == substeps.count() && coming <= room ? room : -1;
     }
 
     private int perDetection(Levels of) {
@@ -90,7 +118,7 @@ public final class SmallPipeline implements Stepper {
                 stages.integrate();
             }
             int listed = Math.min(perDetection, substeps.count() - s);
-            stages.detect(listed * substeps.seconds(), substeps.fall(config, listed));
+            stages.detect(listed * substeps.seconds(), substeps.fall(config, listed) + 2 * Math.max(0, skin));
             stages.solve(listed);
         }
         stages.publish();
@@ -98,19 +126,26 @@ public final class SmallPipeline implements Stepper {
 
     @Override
     public void await() {
+        await(true);
+    }
+
+    private void await(boolean reading) {
         if (!inFlight) {
             return;
         }
-        Status status = stages.await();
+        Status status = stages.await(reading);
         int detections = status.updates();
         while (status.stalled()) {
             stages.makeRoom(status.contacts());
             run(detections * perDetection);
-            status = stages.await();
+            status = stages.await(reading);
             detections += status.updates();
         }
         contacts = status.contacts();
         fastest = stages.fastest();
+        moved = stages.moved();
+        coming = Math.max(moved, stages.speed() * config.timeStep());
+        skin -= moved;
         inFlight = false;
     }
 

@@ -29,29 +29,38 @@ public interface SmallStages extends DeviceState {
 
     /**
      * Sorts the circles by cell and lists the contacts within reach, with what is remembered of each. Between the moves
-     * of one substep and the kicks of the next.
+     * of one substep and the kicks of the next; a step may go on with the lists of the one before.
      *
      * @param horizon time for which the list must hold, seconds
-     * @param fall how far gravity can part two circles in it, world units
+     * @param slack how much nearer than by their speeds two circles may come in it, world units
      */
-    void detect(float horizon, float fall);
+    void detect(float horizon, float slack);
 
     /**
      * Some substeps, all but the end of the last: gravity and kicks, contacts; then, for each after the first, the end of the
-     * one before, gravity and kicks, contacts.
+     * one before, gravity and kicks, contacts. {@link #integrate} or {@link #publish} comes next.
      */
     void solve(int substeps);
 
     /** The end of a substep, walls and motion, before a detection. */
     void integrate();
 
-    /** Ends a step: the end of its last substep; makes its circles known to {@link #download}, its highest speed to {@link #fastest}. */
+    /**
+     * Ends a step: the end of its last substep; makes its circles known to {@link #download}, its highest speed to {@link #fastest}, and
+     * how far they have come to {@link #moved}.
+     */
     void publish();
 
-    /** Highest speed after the last step, radii a second; after {@link #await()}. */
+    /** Highest speed after the last step, radii a second; after {@link #await}. */
     float fastest();
+
+    /** The farthest that a circle has come in the last step, world units; after {@link #await}. */
+    float moved();
+
+    /** Highest speed after the last step, world units a second; after {@link #await}. */
+    float speed();
 
     /** The status; its updates are the detections done. */
     @Override
-    Status await();
+    Status await(boolean reading);
 }

@@ -113,13 +113,31 @@ public record Substeps(int count, float seconds, float[] numbers) {
         while (substeps > 1) {
             float time = substeps * seconds;
             float fall = 0.5f * gravity * time * time;
-            float most = (2 * fastest + gravity * (config.timeStep() - time)) * time + fall;
-            if (most <= 2 * reach && fall <= Tuning.FALL) {
+            if (nearer(config, gravity, fastest, time) <= 2 * reach && fall <= Tuning.FALL) {
                 break;
             }
             substeps--;
         }
         return substeps;
+    }
+
+    /** How much nearer two circles may come in a time within a step, radii. */
+    private static float nearer(WorldConfig config, float gravity, float fastest, float time) {
+        return (2 * fastest + gravity * (config.timeStep() - time)) * time + 0.5f * gravity * time * time;
+    }
+
+    /**
+     * How far each circle may go for the contacts that a step begins with to be good for the next step too, world units: {@link
+     * Tuning#SKIN}, or less where cells are not wide enough for more. Lists of neighbours with a skin are Verlet's, Physical Review
+     * 159, 1967. Two circles on none of the lists are twice that farther apart than those of a step that lists its own.
+     *
+     * @param fastest highest speed, radii a second
+     * @param reach how far the reach of a circle goes beyond its radius, radii
+     */
+    public float skin(WorldConfig config, Population population, float fastest, float reach) {
+        float gravity = gravity(config) / population.minRadius();
+        float room = reach - 0.5f * nearer(config, gravity, fastest, config.timeStep());
+        return Math.min(Tuning.SKIN, room) * population.minRadius();
     }
 
     /** How far gravity parts two circles, one of which rests, in some substeps, world units. */

@@ -207,6 +207,15 @@ public final class Tuning {
     /** How far a circle may fall, from rest, before contacts are listed again, smallest radii. 0.1 to 1: more list more. */
     public static final float FALL = 0.25f;
 
+    /**
+     * How far circles may go before contacts are listed again, where those of a step are good for more than that step, smallest radii.
+     * 0 (each step lists its own) to 0.5: more list more.
+     */
+    public static final float SKIN = 0.4f;
+
+    /** Steps that contacts are listed for where circles are so slow that it is less than that. 2 to 100. */
+    public static final int SKIN_STEPS = 50;
+
     /** Most levels of cells. */
     public static final int LEVELS = 20;
 

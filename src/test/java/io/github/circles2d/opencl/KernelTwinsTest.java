@@ -76,7 +76,7 @@ class KernelTwinsTest {
         device.resolve();
         host.resolve();
         compareStates(device, host, like, where + ", resolve");
-        assertTrue(!device.await().stalled(), where + " stalled");
+        assertTrue(!device.await(true).stalled(), where + " stalled");
         return found.size();
     }
 

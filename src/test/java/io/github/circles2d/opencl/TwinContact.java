@@ -24,7 +24,7 @@ record TwinContact(int i, int j, int x, int y) {
 
     /** The contacts of the last detect, in the order they were found in. */
     static List<TwinContact> found(Stages stages) {
-        int count = Math.toIntExact(stages.await().contacts());
+        int count = Math.toIntExact(stages.await(true).contacts());
         IntBuffer ints = direct(4 * count);
         stages.contacts(0, count, ints);
         List<TwinContact> contacts = new ArrayList<>();

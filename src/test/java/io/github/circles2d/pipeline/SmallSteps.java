@@ -15,10 +15,15 @@ public final class SmallSteps {
      * @param oneTile as {@link WorldConfig} says
      */
     public static WorldConfig box(float width, int oneTile) {
+        return box(width, oneTile, -1);
+    }
+
+    /** The same with another gravity, downwards below 0. */
+    static WorldConfig box(float width, int oneTile, float gravity) {
         return new WorldConfig(
                 1f / 60,
                 0,
-                -1,
+                gravity,
                 0.5f,
                 0,
                 0,

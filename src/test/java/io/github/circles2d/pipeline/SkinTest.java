@@ -1,0 +1,141 @@
+package io.github.circles2d.pipeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import io.github.circles2d.host.HostSmallStages;
+import java.lang.reflect.Proxy;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+/** A step goes on with the contacts that one before has listed, as long as none can be missing. */
+class SkinTest {
+    private static final int CIRCLES = 400;
+    private static final int SETTLED = 400;
+
+    private final FloatBuffer circle = buffer(4 * (CIRCLES + 1));
+    private final FloatBuffer velocities = buffer(2 * (CIRCLES + 1));
+    private SmallStages stages;
+    private SmallPipeline pipeline;
+    private int circles = CIRCLES;
+    private int detections;
+
+    private static FloatBuffer buffer(int floats) {
+        return ByteBuffer.allocateDirect(4 * floats)
+                .order(ByteOrder.nativeOrder())
+                .asFloatBuffer();
+    }
+
+    private void start(float gravity) {
+        WorldConfig config = SmallSteps.box(1, Tuning.ALONE_CIRCLES, gravity);
+        HostSmallStages host = new HostSmallStages(config);
+        stages = (SmallStages) Proxy.newProxyInstance(
+                SmallStages.class.getClassLoader(), new Class<?>[] {SmallStages.class}, (proxy, method, arguments) -> {
+                    detections += method.getName().equals("detect") ? 1 : 0;
+                    return method.invoke(host, arguments);
+                });
+        pipeline = new SmallPipeline(config, stages);
+        SplittableRandom random = new SplittableRandom(1);
+        for (int i = 0; i < CIRCLES; i++) {
+            circle(i, (0.5f + i % 25) / 25, (0.5f + i / 25) / 25, 0.01f + 0.005f * (float) random.nextDouble());
+        }
+    }
+
+    /** A pile that stands. */
+    private void settle() {
+        start(-1);
+        upload();
+        for (int step = 0; step < SETTLED; step++) {
+            step();
+        }
+        detections = 0;
+    }
+
+    private void circle(int i, float x, float y, float radius) {
+        circle.put(4 * i, x).put(4 * i + 1, y).put(4 * i + 2, radius).put(4 * i + 3, radius * radius);
+        velocities.put(2 * i, 0).put(2 * i + 1, 0);
+    }
+
+    private void upload() {
+        pipeline.upload(Population.of(circle, circles), velocities);
+    }
+
+    private void step() {
+        pipeline.step();
+        pipeline.await();
+        stages.download(circle, velocities);
+    }
+
+    private void everyOverlapIsListed() {
+        int overlapping = 0;
+        for (int i = 0; i < circles; i++) {
+            for (int j = i + 1; j < circles; j++) {
+                float dx = circle.get(4 * i) - circle.get(4 * j);
+                float dy = circle.get(4 * i + 1) - circle.get(4 * j + 1);
+                float radii = circle.get(4 * i + 2) + circle.get(4 * j + 2);
+                overlapping += radii - (float) Math.sqrt(dx * dx + dy * dy) > 0 ? 1 : 0;
+            }
+        }
+        assertEquals(overlapping, stages.sums().touching());
+    }
+
+    @Test
+    void whereAPileStandsContactsAreSeldomListed() {
+        settle();
+        for (int step = 0; step < 100; step++) {
+            step();
+            everyOverlapIsListed();
+        }
+        assertTrue(detections <= 10, detections + " detections in 100 steps");
+    }
+
+    @Test
+    void whatDriftsIsListedBeforeItMeets() {
+        start(0);
+        SplittableRandom random = new SplittableRandom(2);
+        for (int k = 0; k < 2 * CIRCLES; k++) {
+            velocities.put(k, 0.03f * (float) random.nextDouble(-1, 1));
+        }
+        upload();
+        for (int step = 0; step < 300; step++) {
+            step();
+            everyOverlapIsListed();
+        }
+        assertTrue(detections > 30 && detections < 200, detections + " detections in 300 steps");
+    }
+
+    @Test
+    void whereACircleIsFastEveryStepListsItsOwn() {
+        settle();
+        velocities.put(0, 3).put(1, 1);
+        upload();
+        for (int step = 1; step <= 3; step++) {
+            step();
+            assertTrue(detections >= step, detections + " detections in " + step + " steps");
+        }
+    }
+
+    @Test
+    void aVelocityThatStaysAsItIsListsNothingAnew() {
+        settle();
+        for (int step = 0; step < 20; step++) {
+            upload();
+            step();
+            everyOverlapIsListed();
+        }
+        assertTrue(detections <= 4, detections + " detections in 20 steps");
+    }
+
+    @Test
+    void aCircleThatIsAddedIsListedAtOnce() {
+        settle();
+        circle(CIRCLES, 0.5f, 0.05f, 0.015f);
+        circles++;
+        upload();
+        step();
+        assertEquals(1, detections);
+    }
+}
