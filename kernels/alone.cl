@@ -74,22 +74,23 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 
     for (int k = item; k < C2D_MOST; k += items) {
         most[k] = 0u;
     }
-    for (int substep = 0; substep < substeps; substep++) {
+    // the end of the last substep as one that only moves: what is inlined twice compiles twice
+    for (int substep = 0; substep <= substeps; substep++) {
+        const bool ends = substep == substeps;
         for (int i = item; i < circles; i += items) {
-            const float8 body = c2d_body_of(bodies, i, circles);
-            c2d_body_to(bodies, i, circles, c2d_integrated(body, i, substep > 0, true, C2D_CIRCLES_HERE));
+            const float8 body = c2d_integrated(c2d_body_of(bodies, i, circles), i, substep > 0, !ends, C2D_CIRCLES_HERE);
+            if (ends) {
+                C2D_BODY[i] = body;
+            } else {
+                c2d_body_to(bodies, i, circles, body);
+            }
+            if (ends && publishes) {
+                c2d_publish(body, C2D_ID[i], circle, velocities, most);
+            }
         }
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-        c2d_solve_bodies(tile.s0, tile.s1, stalled ? 0 : tile.s4, bodies, circles, 0, C2D_SOLVE_HERE);
+        c2d_solve_bodies(tile.s0, tile.s1, stalled || ends ? 0 : tile.s4, bodies, circles, 0, C2D_SOLVE_HERE);
     }
-    for (int i = item; i < circles; i += items) {
-        const float8 body = c2d_integrated(c2d_body_of(bodies, i, circles), i, true, false, C2D_CIRCLES_HERE);
-        C2D_BODY[i] = body;
-        if (publishes) {
-            c2d_publish(body, C2D_ID[i], circle, velocities, most);
-        }
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
     if (item == 0 && publishes) {
         status[C2D_FASTEST] = most[C2D_MOST_FASTEST];
         status[C2D_MOVED] = most[C2D_MOST_MOVED];

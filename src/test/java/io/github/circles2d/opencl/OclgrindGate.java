@@ -22,6 +22,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
@@ -87,6 +88,9 @@ public final class OclgrindGate {
             agreeInSmallSteps(Scene.PEBBLES, 33, strategy, 2, 4096);
             agreeInSmallSteps(pile(), 10, strategy, 2, 0);
         }
+        // so calm that from the third step on contacts are those of the step before
+        agreeInSmallSteps(still(), 16, IndexStrategy.grid(), 1, 0, world -> world.step(4));
+        agreeInSmallSteps(still(), 16, IndexStrategy.grid(), 1, 4096, world -> world.step(4));
         // contacts that only the last tiling holds
         agreeInSmallSteps(crossing(), 6, IndexStrategy.grid(), 2, 0);
         // lists more contacts than there is room for, and is sorted again
@@ -113,6 +117,15 @@ public final class OclgrindGate {
         return new Scene("pile", 0, -1, 0.5f, (world, circles) -> {
             for (int i = 0; i < circles; i++) {
                 world.addCircle(0.5f + 0.0001f * i, 0.5f, 0.04f, 1 + i % 3);
+            }
+        });
+    }
+
+    /** Circles side by side that overlap a little. */
+    private static Scene still() {
+        return new Scene("still", 0, 0, 0.5f, (world, circles) -> {
+            for (int i = 0; i < circles; i++) {
+                world.addCircle(0.4f + 0.0395f * (i % 4), 0.4f + 0.0395f * (i / 4), 0.02f, 1 + i % 3);
             }
         });
     }
@@ -156,6 +169,15 @@ public final class OclgrindGate {
     }
 
     private void agreeInSmallSteps(Scene scene, int circles, IndexStrategy strategy, int substeps, int smallWorld) {
+        agreeInSmallSteps(scene, circles, strategy, substeps, smallWorld, world -> {
+            world.step();
+            world.setVelocity(0, 50, 3);
+            world.step();
+        });
+    }
+
+    private void agreeInSmallSteps(
+            Scene scene, int circles, IndexStrategy strategy, int substeps, int smallWorld, Consumer<Circles2D> steps) {
         long[] hashes = new long[2];
         StepStats[] stats = new StepStats[2];
         for (int side = 0; side < 2; side++) {
@@ -165,9 +187,7 @@ public final class OclgrindGate {
                     .solver(Solver.SMALL_STEPS)
                     .substeps(substeps);
             try (Circles2D world = scene.build(builder, circles)) {
-                world.step();
-                world.setVelocity(0, 50, 3);
-                world.step();
+                steps.accept(world);
                 hashes[side] = world.stateHash();
                 stats[side] = world.stats();
             }
