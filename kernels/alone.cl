@@ -71,9 +71,10 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 
     for (int i = item; i < circles; i += items) {
         c2d_body_to(bodies, i, circles, C2D_BODY[i]);
     }
-    for (int k = item; k < C2D_MOST; k += items) {
+    for (int k = item; k < C2D_MOTIONS; k += items) {
         most[k] = 0u;
     }
+    uint4 motion = (uint4)(0u);
     // the end of the last substep as one that only moves: what is inlined twice compiles twice
     for (int substep = 0; substep <= substeps; substep++) {
         const bool ends = substep == substeps;
@@ -85,15 +86,17 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 
                 c2d_body_to(bodies, i, circles, body);
             }
             if (ends && publishes) {
-                c2d_publish(body, C2D_ID[i], circle, velocities, most);
+                motion = c2d_publish(body, C2D_ID[i], circle, velocities, motion);
             }
         }
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
         c2d_solve_bodies(tile.s0, tile.s1, stalled || ends ? 0 : tile.s4, bodies, circles, 0, C2D_SOLVE_HERE);
     }
-    if (item == 0 && publishes) {
-        status[C2D_FASTEST] = most[C2D_MOST_FASTEST];
-        status[C2D_MOVED] = most[C2D_MOST_MOVED];
-        status[C2D_TOP_SPEED] = most[C2D_MOST_TOP_SPEED];
+    if (publishes) {
+        c2d_publish_most(motion, most);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int k = item; k < C2D_MOTIONS && publishes; k += items) {
+        status[C2D_MOTION + k] = most[k];
     }
 }

@@ -49,16 +49,15 @@ typedef uint2 c2d_row;
 #endif
 
 // The status buffer, class pipeline.Status: how many contacts the step found, whether they outgrew their buffers (then
-// nothing moves until the host has made room), how many updates have run. Of small steps: how many detections, the bits of the
-// highest speed in radii a second, how many tiles of one tiling have anything in them, and the bits of two squares: of the farthest that
-// a circle has come in the step, and of the highest speed in world units a second.
+// nothing moves until the host has made room), how many updates have run. Of small steps: how many detections, how many tiles of one
+// tiling have anything in them, and, as bits, how the circles move at the end of a step, class pipeline.Motion: the highest speed in
+// radii a second, and the squares of the farthest that one has come and of the highest speed in world units a second.
 #define C2D_CONTACTS 0
 #define C2D_STALLED 1
 #define C2D_UPDATES 2
-#define C2D_FASTEST 3
-#define C2D_TILES 4
-#define C2D_MOVED 5
-#define C2D_TOP_SPEED 6
+#define C2D_TILES 3
+#define C2D_MOTION 4
+#define C2D_MOTIONS 3
 // What stalled says where contacts are so dense that no order of colours holds them.
 #define C2D_TOO_DENSE 2u
 

@@ -59,40 +59,38 @@ __kernel void c2d_load(C2D_WORLD, __global const float4 *circle, __global const 
     }
 }
 
-// Of a step, in local memory: the bits of what the status says of its end.
-#define C2D_MOST_FASTEST 0
-#define C2D_MOST_MOVED 1
-#define C2D_MOST_TOP_SPEED 2
-#define C2D_MOST 3
-
-// The end of a step for circle i, which is as `b` says: makes it known by its number. Positive floats compare as their bits do.
-static void c2d_publish(float8 b, int to, __global float4 *circle, __global float2 *velocities, __local uint *most) {
+// The end of a step for circle i, which is as `b` says: makes it known by its number. Returns how it moves, as bits, or those of `motion`
+// that move more. Positive floats compare as their bits do.
+static uint4 c2d_publish(float8 b, int to, __global float4 *circle, __global float2 *velocities, uint4 motion) {
     const float dx = b.s0 - circle[to].x;
     const float dy = b.s1 - circle[to].y;
     const float speed = b.s2 * b.s2 + b.s3 * b.s3;
     circle[to].xy = b.s01;
     velocities[to] = b.s23;
-    atomic_max(&most[C2D_MOST_FASTEST], as_uint(c2d_positive(sqrt(speed) / b.s6)));
-    atomic_max(&most[C2D_MOST_MOVED], as_uint(c2d_positive(dx * dx + dy * dy)));
-    atomic_max(&most[C2D_MOST_TOP_SPEED], as_uint(c2d_positive(speed)));
+    return max(motion, (uint4)(as_uint(c2d_positive(sqrt(speed) / b.s6)), as_uint(c2d_positive(dx * dx + dy * dy)),
+                               as_uint(c2d_positive(speed)), 0u));
+}
+
+static void c2d_publish_most(uint4 motion, volatile __local uint *most) {
+    atomic_max(&most[0], motion.s0);
+    atomic_max(&most[1], motion.s1);
+    atomic_max(&most[2], motion.s2);
 }
 
 // Before the first substep of a detection.
 static void c2d_publish_clear(__global uint *status) {
-    if (get_global_id(0) == 0) {
-        status[C2D_FASTEST] = 0u;
-        status[C2D_MOVED] = 0u;
-        status[C2D_TOP_SPEED] = 0u;
+    for (int k = 0; k < C2D_MOTIONS && get_global_id(0) == 0; k++) {
+        status[C2D_MOTION + k] = 0u;
     }
 }
 
 // The end of a substep; of the last of a step, which `publishes`, also the circles by number.
 __kernel void c2d_integrate(C2D_WORLD, int publishes, __global float4 *circle, __global float2 *velocities, __local uint *most) {
     const int i = (int)get_global_id(0);
-    if (get_local_id(0) == 0) {
-        for (int k = 0; k < C2D_MOST; k++) {
-            most[k] = 0u;
-        }
+    const int item = (int)get_local_id(0);
+    const int items = (int)get_local_size(0);
+    for (int k = item; k < C2D_MOTIONS; k += items) {
+        most[k] = 0u;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (i < world.circles && status[C2D_STALLED] == 0u) {
@@ -100,13 +98,11 @@ __kernel void c2d_integrate(C2D_WORLD, int publishes, __global float4 *circle, _
         const float8 b = c2d_integrated(C2D_BODY[i], i, true, false, C2D_CIRCLES_HERE);
         C2D_BODY[i] = b;
         if (publishes) {
-            c2d_publish(b, C2D_ID[i], circle, velocities, most);
+            c2d_publish_most(c2d_publish(b, C2D_ID[i], circle, velocities, (uint4)(0u)), most);
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (get_local_id(0) == 0 && publishes) {
-        atomic_max(&status[C2D_FASTEST], most[C2D_MOST_FASTEST]);
-        atomic_max(&status[C2D_MOVED], most[C2D_MOST_MOVED]);
-        atomic_max(&status[C2D_TOP_SPEED], most[C2D_MOST_TOP_SPEED]);
+    for (int k = item; k < C2D_MOTIONS && publishes; k += items) {
+        atomic_max(&status[C2D_MOTION + k], most[k]);
     }
 }

@@ -1,6 +1,7 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
@@ -86,18 +87,8 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public float fastest() {
-        return state.fastest;
-    }
-
-    @Override
-    public float moved() {
-        return state.moved;
-    }
-
-    @Override
-    public float speed() {
-        return state.speed;
+    public Motion motion() {
+        return state.motion;
     }
 
     @Override

@@ -1,6 +1,7 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.Substeps;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
@@ -43,9 +44,7 @@ final class SmallState {
 
     Levels levels;
     Substeps substeps;
-    float fastest;
-    float moved;
-    float speed;
+    final Motion motion = new Motion();
 
     /** The kernel {@code c2d_load}. */
     void upload(FloatBuffer newCircle, FloatBuffer newVelocities, Levels newLevels) {
@@ -84,9 +83,9 @@ final class SmallState {
 
     /** What the kernel {@code c2d_integrate} publishes. */
     void publish() {
-        fastest = 0;
-        float farthest = 0;
-        float highest = 0;
+        float fastest = 0;
+        float moved = 0;
+        float speed = 0;
         for (int i = 0; i < circles; i++) {
             int b = BODY * i;
             int d = id[i];
@@ -99,14 +98,15 @@ final class SmallState {
             velocities[2 * d] = vx;
             velocities[2 * d + 1] = vy;
             float square = vx * vx + vy * vy;
-            float inRadii = (float) Math.sqrt(square) / body[b + RADIUS];
-            fastest = inRadii > fastest ? inRadii : fastest;
-            float way = dx * dx + dy * dy;
-            farthest = way > farthest ? way : farthest;
-            highest = square > highest ? square : highest;
+            fastest = more((float) Math.sqrt(square) / body[b + RADIUS], fastest);
+            moved = more(dx * dx + dy * dy, moved);
+            speed = more(square, speed);
         }
-        moved = (float) Math.sqrt(farthest);
-        speed = (float) Math.sqrt(highest);
+        motion.set(fastest, moved, speed);
+    }
+
+    private static float more(float one, float most) {
+        return one > most ? one : most;
     }
 
     void download(FloatBuffer toCircle, FloatBuffer toVelocities) {

@@ -2,6 +2,7 @@ package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
@@ -256,18 +257,8 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public float fastest() {
-        return state.fastest();
-    }
-
-    @Override
-    public float moved() {
-        return state.moved();
-    }
-
-    @Override
-    public float speed() {
-        return state.speed();
+    public Motion motion() {
+        return state.motion();
     }
 
     @Override

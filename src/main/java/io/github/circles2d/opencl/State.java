@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteBuffer;
@@ -31,9 +32,7 @@ final class State {
     /** The staging memory holds all of the device's state. */
     private boolean stagedWhole;
 
-    private float fastest;
-    private float moved;
-    private float speed;
+    private final Motion motion = new Motion();
     private int tiles;
 
     private final Status done = new Status();
@@ -90,29 +89,17 @@ final class State {
         ByteBuffer said = staging.bytes();
         int updates = said.getInt(8) - updatesSeen;
         updatesSeen = said.getInt(8);
-        fastest = said.getFloat(12);
-        tiles = said.getInt(16);
-        moved = (float) Math.sqrt(said.getFloat(20));
-        speed = (float) Math.sqrt(said.getFloat(24));
+        tiles = said.getInt(12);
+        motion.set(said.getFloat(16), said.getFloat(20), said.getFloat(24));
         if (said.getInt(4) == TOO_DENSE) {
             throw Status.tooDense();
         }
         return done.set(Integer.toUnsignedLong(said.getInt(0)), said.getInt(4) != 0, updates);
     }
 
-    /** The highest speed after the last step, radii a second; after {@link #await()}, of small steps. */
-    float fastest() {
-        return fastest;
-    }
-
-    /** The farthest that a circle has come in the last step, world units; after {@link #await()}, of small steps. */
-    float moved() {
-        return moved;
-    }
-
-    /** The highest speed after the last step, world units a second; as {@link #fastest}. */
-    float speed() {
-        return speed;
+    /** How the circles move after the last step; after {@link #await}, of small steps. */
+    Motion motion() {
+        return motion;
     }
 
     /** How many tiles of a tiling had anything in them in the last step; 0 if nobody knows. */

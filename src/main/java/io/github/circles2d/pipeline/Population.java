@@ -35,27 +35,17 @@ public record Population(
         }
     }
 
-    /** Highest speed, in radii a second. The arithmetic is that of {@code c2d_publish}. */
-    public float fastest(FloatBuffer velocities) {
+    /** Says how circles move that nobody has seen moving. The arithmetic is that of {@code c2d_publish}. */
+    public void motion(FloatBuffer velocities, float moved, Motion motion) {
         float fastest = 0;
-        for (int i = 0; i < circles; i++) {
-            float vx = velocities.get(2 * i);
-            float vy = velocities.get(2 * i + 1);
-            float speed = (float) Math.sqrt(vx * vx + vy * vy) / circle.get(4 * i + 2);
-            fastest = speed > fastest ? speed : fastest;
-        }
-        return fastest;
-    }
-
-    /** Highest speed, world units a second. The arithmetic is that of {@code c2d_publish}. */
-    float speed(FloatBuffer velocities) {
-        float highest = 0;
+        float speed = 0;
         for (int i = 0; i < circles; i++) {
             float vx = velocities.get(2 * i);
             float vy = velocities.get(2 * i + 1);
             float square = vx * vx + vy * vy;
-            highest = square > highest ? square : highest;
+            fastest = Math.max(fastest, (float) Math.sqrt(square) / circle.get(4 * i + 2));
+            speed = Math.max(speed, square);
         }
-        return (float) Math.sqrt(highest);
+        motion.set(fastest, moved * moved, speed);
     }
 }

@@ -17,9 +17,10 @@ public final class SmallPipeline implements Stepper {
     private Levels[] levels;
 
     private Levels used;
-    private float fastest;
-    /** The farthest that a circle came in the last step, world units; infinite where nobody knows. */
-    private float moved;
+    /** How circles move: after a step, or as they were uploaded. */
+    private Motion motion;
+
+    private final Motion uploaded = new Motion();
     /** The farthest that one is expected to come in the next: as far again, or as its speed says. */
     private float coming;
     /** How much farther circles may come before contacts are listed again; less than any comes where every step lists its own. */
@@ -49,16 +50,18 @@ public final class SmallPipeline implements Stepper {
     public void upload(Population circles, FloatBuffer velocities) {
         boolean more = population == null || circles.circles() != population.circles();
         population = circles;
-        fastest = population.fastest(velocities);
-        if (more) {
-            skin = -1;
-            moved = Float.POSITIVE_INFINITY;
-        }
-        coming = skin < 0 ? moved : Math.max(moved, population.speed(velocities) * config.timeStep());
+        skin = more ? -1 : skin;
+        population.motion(velocities, more ? Float.POSITIVE_INFINITY : motion.moved(), uploaded);
+        moves(uploaded);
         boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
         used = levels[wide ? levels.length - 1 : 0];
         stages.upload(population.circle(), velocities, levels, used);
+    }
+
+    private void moves(Motion now) {
+        motion = now;
+        coming = Math.max(motion.moved(), motion.speed() * config.timeStep());
     }
 
     @Override
@@ -66,7 +69,7 @@ public final class SmallPipeline implements Stepper {
         await(false);
         substeps = known.length == 1
                 ? known[0]
-                : known[Substeps.choose(config, population, fastest) / Tuning.AUTO_UNIT - 1];
+                : known[Substeps.choose(config, population, motion.fastest()) / Tuning.AUTO_UNIT - 1];
         boolean listed = coming <= skin;
         if (!listed) {
             choose();
@@ -99,12 +102,12 @@ public final class SmallPipeline implements Stepper {
             used = now;
             stages.use(now);
         }
-        float room = Math.min(substeps.skin(config, population, fastest, now.reach), Tuning.SKIN_STEPS * coming);
+        float room = Math.min(substeps.skin(config, population, motion, now.reach), Tuning.SKIN_STEPS * coming);
         skin = perDetection == substeps.count() && coming <= room ? room : -1;
     }
 
     private int perDetection(Levels of) {
-        return substeps.perDetection(config, population, fastest, of.reach);
+        return substeps.perDetection(config, population, motion, of.reach);
     }
 
     private int detections(int each) {
@@ -142,10 +145,8 @@ public final class SmallPipeline implements Stepper {
             detections += status.updates();
         }
         contacts = status.contacts();
-        fastest = stages.fastest();
-        moved = stages.moved();
-        coming = Math.max(moved, stages.speed() * config.timeStep());
-        skin -= moved;
+        moves(stages.motion());
+        skin -= motion.moved();
         inFlight = false;
     }
 

@@ -45,20 +45,11 @@ public interface SmallStages extends DeviceState {
     /** The end of a substep, walls and motion, before a detection. */
     void integrate();
 
-    /**
-     * Ends a step: the end of its last substep; makes its circles known to {@link #download}, its highest speed to {@link #fastest}, and
-     * how far they have come to {@link #moved}.
-     */
+    /** Ends a step: the end of its last substep; makes its circles known to {@link #download}, and how they move to {@link #motion}. */
     void publish();
 
-    /** Highest speed after the last step, radii a second; after {@link #await}. */
-    float fastest();
-
-    /** The farthest that a circle has come in the last step, world units; after {@link #await}. */
-    float moved();
-
-    /** Highest speed after the last step, world units a second; after {@link #await}. */
-    float speed();
+    /** How the circles move after the last step; after {@link #await}. */
+    Motion motion();
 
     /** The status; its updates are the detections done. */
     @Override

@@ -104,16 +104,15 @@ public record Substeps(int count, float seconds, float[] numbers) {
      * {@code reach} of a radius wider than a circle needs on each side; two circles at most at the highest speed, one of which
      * falls while the other rests, use that up. Gravity alone should not make neighbours of many.
      *
-     * @param fastest highest speed, radii a second
      * @param reach how far the reach of a circle goes beyond its radius, radii
      */
-    public int perDetection(WorldConfig config, Population population, float fastest, float reach) {
+    public int perDetection(WorldConfig config, Population population, Motion motion, float reach) {
         float gravity = gravity(config) / population.minRadius();
         int substeps = count;
         while (substeps > 1) {
             float time = substeps * seconds;
             float fall = 0.5f * gravity * time * time;
-            if (nearer(config, gravity, fastest, time) <= 2 * reach && fall <= Tuning.FALL) {
+            if (nearer(config, gravity, motion, time) <= 2 * reach && fall <= Tuning.FALL) {
                 break;
             }
             substeps--;
@@ -122,8 +121,8 @@ public record Substeps(int count, float seconds, float[] numbers) {
     }
 
     /** How much nearer two circles may come in a time within a step, radii. */
-    private static float nearer(WorldConfig config, float gravity, float fastest, float time) {
-        return (2 * fastest + gravity * (config.timeStep() - time)) * time + 0.5f * gravity * time * time;
+    private static float nearer(WorldConfig config, float gravity, Motion motion, float time) {
+        return (2 * motion.fastest() + gravity * (config.timeStep() - time)) * time + 0.5f * gravity * time * time;
     }
 
     /**
@@ -131,12 +130,11 @@ public record Substeps(int count, float seconds, float[] numbers) {
      * Tuning#SKIN}, or less where cells are not wide enough for more. Lists of neighbours with a skin are Verlet's, Physical Review
      * 159, 1967. Two circles on none of the lists are twice that farther apart than those of a step that lists its own.
      *
-     * @param fastest highest speed, radii a second
      * @param reach how far the reach of a circle goes beyond its radius, radii
      */
-    public float skin(WorldConfig config, Population population, float fastest, float reach) {
+    public float skin(WorldConfig config, Population population, Motion motion, float reach) {
         float gravity = gravity(config) / population.minRadius();
-        float room = reach - 0.5f * nearer(config, gravity, fastest, config.timeStep());
+        float room = reach - 0.5f * nearer(config, gravity, motion, config.timeStep());
         return Math.min(Tuning.SKIN, room) * population.minRadius();
     }
 
