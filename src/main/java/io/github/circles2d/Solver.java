@@ -37,9 +37,10 @@ public enum Solver {
      * <p>A substep of h seconds: every circle takes up gravity, {@code v += g h}, and the impulses that its contacts
      * expect; contacts are visited once, in a fixed order in which no two that share a circle run together; walls come
      * last; then {@code x += h v}. Contacts are listed before the circles touch, as far as they can come in the time until
-     * the list is made again. Where circles are fast that is several times a step; where no circle can come so far that a contact might
-     * be missing (at most {@value io.github.circles2d.pipeline.Tuning#SKIN} of the smallest radius in all, Verlet's skin, Physical Review
-     * 159, 1967), the next step goes on with the same list, and so the next, until one is or circles are added. A visit of a contact with gap s (negative where the circles overlap), normal n, approach
+     * the list is made again. Where circles are fast that is several times a step. Where they are slow the next step goes on with
+     * the same list, and so the next, until a contact might be missing: until one circle has come {@value
+     * io.github.circles2d.pipeline.Tuning#SKIN} of the smallest radius, a skin as that of Verlet's lists (Physical Review 159, 1967), or
+     * circles are added. A visit of a contact with gap s (negative where the circles overlap), normal n, approach
      * velocity v_n and the impulse l that it had already does three things:
      *
      * <ul>

@@ -151,7 +151,7 @@ final class OpenClSmallStages implements SmallStages {
 
     /** The kernels of the last detection. */
     private SmallKernels now() {
-        return kernels[2 * used + lastTurn()];
+        return bound(lastTurn());
     }
 
     /** What kernels begin with that work on what the last detection has left. */

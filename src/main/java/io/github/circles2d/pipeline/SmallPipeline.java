@@ -7,7 +7,7 @@ import java.nio.FloatBuffer;
  *
  * <p>A detection that finds more contacts than there is room for stalls the step, which is taken up again from there once
  * there is room: no contact is ever dropped. How a step is cut depends on the speeds after the last, so a step waits for
- * the one before.
+ * the one before. A step that can goes on with the contacts of that one.
  */
 public final class SmallPipeline implements Stepper {
     private final WorldConfig config;
@@ -21,9 +21,9 @@ public final class SmallPipeline implements Stepper {
     private Motion motion;
 
     private final Motion uploaded = new Motion();
-    /** The farthest that one is expected to come in the next: as far again, or as its speed says. */
+    /** The farthest that one is expected to come in the next step, world units: as far again, or as its speed says. */
     private float coming;
-    /** How much farther circles may come before contacts are listed again; less than any comes where every step lists its own. */
+    /** How much farther they may come before contacts are listed again, world units; below 0 where the next step lists its own. */
     private float skin = -1;
 
     private float before;

@@ -213,7 +213,7 @@ public final class Tuning {
      */
     public static final float SKIN = 0.4f;
 
-    /** Steps that contacts are listed for where circles are so slow that it is less than that. 2 to 100. */
+    /** Steps that a list should be good for where circles are so slow that {@link #SKIN} would be good for more. 2 to 100. */
     public static final int SKIN_STEPS = 50;
 
     /** Most levels of cells. */
