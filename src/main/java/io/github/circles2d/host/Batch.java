@@ -22,14 +22,16 @@ final class Batch {
 
     private int[] beyond = {};
     /** By contact: its circle in whose list it is, its tile, its class. */
-    int[] owner = {};
+    private int[] owner = {};
 
     private int[] tileOf = {};
     private short[] classOf = {};
     /** By tile: the colour and then the contact. */
     private long[] keys = {};
-    /** By tile, and then in the order of solving: the contact. */
-    int[] order = {};
+    /** By tile: the contact. */
+    private int[] order = {};
+    /** In the order of solving: the places of the two circles. */
+    int[] pairs = {};
 
     private int[] tileStart = {0};
 
@@ -68,6 +70,7 @@ final class Batch {
             classOf = new short[room];
             keys = new long[room];
             order = new int[room];
+            pairs = new int[2 * room];
         }
     }
 
@@ -123,7 +126,10 @@ final class Batch {
             tint(tileStart[tile], tileStart[tile + 1]);
             Arrays.sort(keys, tileStart[tile], tileStart[tile + 1]);
             for (int e = tileStart[tile]; e < tileStart[tile + 1]; e++) {
-                order[e] = (int) keys[e] & Integer.MAX_VALUE;
+                int k = (int) keys[e] & Integer.MAX_VALUE;
+                contacts.where[k] = e;
+                pairs[2 * e] = owner[k];
+                pairs[2 * e + 1] = contacts.other[k];
             }
         }
     }

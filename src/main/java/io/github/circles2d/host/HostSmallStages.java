@@ -62,8 +62,8 @@ public final class HostSmallStages implements SmallStages {
     public void detect(float horizon, float slack) {
         grid.run();
         find.run(horizon, slack);
-        match.run();
         batch.run();
+        match.run();
         detections++;
     }
 

@@ -24,8 +24,10 @@ final class Match {
                 int j = state.from[contacts.other[k]];
                 int old = remembered(i, j);
                 old = old < 0 ? remembered(j, i) : old;
-                contacts.memory[2 * k] = old < 0 ? 0 : contacts.memoryBefore[2 * old];
-                contacts.memory[2 * k + 1] = old < 0 ? 0 : contacts.memoryBefore[2 * old + 1];
+                int now = 2 * contacts.where[k];
+                int before = old < 0 ? 0 : 2 * contacts.whereBefore[old];
+                contacts.memory[now] = old < 0 ? 0 : contacts.memoryBefore[before];
+                contacts.memory[now + 1] = old < 0 ? 0 : contacts.memoryBefore[before + 1];
             }
         }
     }

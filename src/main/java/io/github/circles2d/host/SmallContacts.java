@@ -43,7 +43,11 @@ final class SmallContacts {
     int[] other = {};
 
     int[] otherBefore = {};
-    /** The impulse to come, and the last one; -1 after a bounce. */
+    /** Where in the order of solving each contact is. */
+    int[] where = {};
+
+    int[] whereBefore = {};
+    /** In the order of solving: the impulse to come, and the last one; -1 after a bounce. */
     float[] memory = {};
 
     float[] memoryBefore = {};
@@ -66,6 +70,9 @@ final class SmallContacts {
         swap = other;
         other = otherBefore;
         otherBefore = swap;
+        swap = where;
+        where = whereBefore;
+        whereBefore = swap;
         float[] swapMemory = memory;
         memory = memoryBefore;
         memoryBefore = swapMemory;
@@ -86,6 +93,7 @@ final class SmallContacts {
         if (other.length < all) {
             int room = (int) Math.min(MOST, Math.max(Tuning.FIRST_CONTACTS, all * Tuning.GROWTH));
             other = new int[room];
+            where = new int[room];
             memory = new float[2 * room];
         }
     }

@@ -26,15 +26,14 @@ final class Solve {
     private void part(int part, int from, int end) {
         int last = batch.start(end);
         for (int e = batch.start(from); e < last; e++) {
-            int k = batch.order[e];
-            visit(batch.owner[k], k);
+            visit(batch.pairs[2 * e], batch.pairs[2 * e + 1], 2 * e);
         }
     }
 
     /** One visit of a contact: {@link io.github.circles2d.Solver#SMALL_STEPS}. The normal points to the circle of the list. */
-    private void visit(int i, int k) {
+    private void visit(int i, int j, int m) {
         float[] body = state.body;
-        int j = contacts.other[k];
+        float[] memory = contacts.memory;
         int a = SmallState.BODY * i;
         int b = SmallState.BODY * j;
         float dx = body[a] - body[b];
@@ -61,14 +60,14 @@ final class Solve {
         float dvx = body[a + 2] - body[b + 2];
         float dvy = body[a + 3] - body[b + 3];
         float speed = dvx * nx + dvy * ny;
-        float come = contacts.memory[2 * k];
-        float last = contacts.memory[2 * k + 1];
+        float come = memory[m];
+        float last = memory[m + 1];
         float impulse = come - (speed + (gap > 0 ? gap : 0) * n[Substeps.PER_TIME]) * mass;
         boolean bounced = false;
         if (!(impulse > 0)) {
             if (come == 0 && gap >= 0) {
                 // nothing to do, nothing to store
-                contacts.memory[2 * k + 1] = 0;
+                memory[m + 1] = 0;
                 return;
             }
             impulse = 0;
@@ -101,8 +100,8 @@ final class Solve {
         }
         add(a, wa * share, wa * gain, wa * next, nx, ny);
         add(b, -(wb * share), -(wb * gain), -(wb * next), nx, ny);
-        contacts.memory[2 * k] = next;
-        contacts.memory[2 * k + 1] = bounced ? -1 : impulse;
+        memory[m] = next;
+        memory[m + 1] = bounced ? -1 : impulse;
     }
 
     private void add(int b, float way, float gain, float next, float nx, float ny) {
