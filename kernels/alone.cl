@@ -59,7 +59,8 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, 
                          C2D_TILE_START, C2D_SOLVES, (int2)(0, 0), stalled, true, 0, counts);
 }
 
-// All substeps of a detection, and of the last of a step, which `publishes`, its end: integrate.cl and solve.cl.
+// All substeps until the next detection, the end of the last included, or until the end of the step, which `publishes`: integrate.cl and
+// solve.cl.
 __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 *circle, __global float2 *velocities,
                               __local float8 *bodies, __local uint *most, int substeps) {
     const int item = (int)get_local_id(0);

@@ -92,7 +92,7 @@ record AutoChoice(IndexStrategy strategy, int smallWorld) {
         }
     }
 
-    /** Circles that cover a half of the box and touch here and there. */
+    /** Circles that cover a half of the box and touch here and there, so fast that every step lists its contacts. */
     private static void fill(Circles2D world, int circles) {
         SplittableRandom random = new SplittableRandom(circles);
         int side = (int) Math.ceil(Math.sqrt(circles));
@@ -103,7 +103,7 @@ record AutoChoice(IndexStrategy strategy, int smallWorld) {
                     (i % side + 0.5f + (float) random.nextDouble(-0.2, 0.2)) * size,
                     (i / side + 0.5f + (float) random.nextDouble(-0.2, 0.2)) * size);
             def.radius(0.4f * size).mass(1 + (float) random.nextDouble());
-            def.velocity(size * (float) random.nextDouble(-2, 2), size * (float) random.nextDouble(-2, 2));
+            def.velocity(size * (float) random.nextDouble(-8, 8), size * (float) random.nextDouble(-8, 8));
             world.addCircle(def);
         }
     }

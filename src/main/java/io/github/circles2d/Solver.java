@@ -36,11 +36,10 @@ public enum Solver {
      *
      * <p>A substep of h seconds: every circle takes up gravity, {@code v += g h}, and the impulses that its contacts
      * expect; contacts are visited once, in a fixed order in which no two that share a circle run together; walls come
-     * last; then {@code x += h v}. Contacts are listed before the circles touch, as far as they can come in the time until
-     * the list is made again. Where circles are fast that is several times a step. Where they are slow the next step goes on with
-     * the same list, and so the next, until a contact might be missing: until one circle has come {@value
-     * io.github.circles2d.pipeline.Tuning#SKIN} of the smallest radius, a skin as that of Verlet's lists (Physical Review 159, 1967), or
-     * circles are added. A visit of a contact with gap s (negative where the circles overlap), normal n, approach
+     * last; then {@code x += h v}. Contacts are listed before the circles touch, as far as they can come in a step or, where they
+     * are fast, in the part of it until the list is made again. Where they are slow the list has a skin as Verlet's (Physical Review
+     * 159, 1967): the next step goes on with it, and so the next, as long as no circle should come farther in all than {@value
+     * io.github.circles2d.pipeline.Tuning#SKIN} of the smallest radius, or less where less lasts long enough, and none is added. A visit of a contact with gap s (negative where the circles overlap), normal n, approach
      * velocity v_n and the impulse l that it had already does three things:
      *
      * <ul>

@@ -102,7 +102,7 @@ final class SmallState {
             moved = more(dx * dx + dy * dy, moved);
             speed = more(square, speed);
         }
-        motion.set(fastest, moved, speed);
+        motion.set(fastest, (float) Math.sqrt(moved), (float) Math.sqrt(speed));
     }
 
     private static float more(float one, float most) {

@@ -90,7 +90,7 @@ final class State {
         int updates = said.getInt(8) - updatesSeen;
         updatesSeen = said.getInt(8);
         tiles = said.getInt(12);
-        motion.set(said.getFloat(16), said.getFloat(20), said.getFloat(24));
+        motion.set(said.getFloat(16), (float) Math.sqrt(said.getFloat(20)), (float) Math.sqrt(said.getFloat(24)));
         if (said.getInt(4) == TOO_DENSE) {
             throw Status.tooDense();
         }

@@ -10,16 +10,16 @@ public final class Motion {
     private float speed;
 
     /**
-     * Says how they move from now on; the numbers are those of {@code kernels/integrate.cl}.
+     * Says how they move from now on.
      *
      * @param newFastest highest speed, radii a second
-     * @param movedSquare the square of the farthest that one has come in the step, world units squared
-     * @param speedSquare the square of the highest speed, world units a second, squared
+     * @param newMoved the farthest that one has come in the step, world units
+     * @param newSpeed highest speed, world units a second
      */
-    public void set(float newFastest, float movedSquare, float speedSquare) {
+    public void set(float newFastest, float newMoved, float newSpeed) {
         fastest = newFastest;
-        moved = (float) Math.sqrt(movedSquare);
-        speed = (float) Math.sqrt(speedSquare);
+        moved = newMoved;
+        speed = newSpeed;
     }
 
     /** Highest speed, radii a second. */

@@ -35,17 +35,22 @@ public record Population(
         }
     }
 
-    /** Says how circles move that nobody has seen moving. The arithmetic is that of {@code c2d_publish}. */
-    public void motion(FloatBuffer velocities, float moved, Motion motion) {
+    /**
+     * Says how circles move whose velocities are not, or not all, those after a step. The arithmetic is that of {@code c2d_publish}.
+     *
+     * @param moved the farthest that one has come in the last step, world units; infinite where nobody knows
+     */
+    void motion(FloatBuffer velocities, float moved, Motion motion) {
         float fastest = 0;
         float speed = 0;
         for (int i = 0; i < circles; i++) {
             float vx = velocities.get(2 * i);
             float vy = velocities.get(2 * i + 1);
             float square = vx * vx + vy * vy;
-            fastest = Math.max(fastest, (float) Math.sqrt(square) / circle.get(4 * i + 2));
-            speed = Math.max(speed, square);
+            float inRadii = (float) Math.sqrt(square) / circle.get(4 * i + 2);
+            fastest = inRadii > fastest ? inRadii : fastest;
+            speed = square > speed ? square : speed;
         }
-        motion.set(fastest, moved * moved, speed);
+        motion.set(fastest, moved, (float) Math.sqrt(speed));
     }
 }

@@ -23,7 +23,7 @@ public final class SmallPipeline implements Stepper {
     private final Motion uploaded = new Motion();
     /** The farthest that one is expected to come in the next step, world units: as far again, or as its speed says. */
     private float coming;
-    /** How much farther they may come before contacts are listed again, world units; below 0 where the next step lists its own. */
+    /** How much farther they may come with the contacts listed last, world units; less than is coming where the next step lists its own. */
     private float skin = -1;
 
     private float before;
@@ -48,6 +48,7 @@ public final class SmallPipeline implements Stepper {
 
     @Override
     public void upload(Population circles, FloatBuffer velocities) {
+        // as many as before have moved since only by steps: what is listed of them holds
         boolean more = population == null || circles.circles() != population.circles();
         population = circles;
         skin = more ? -1 : skin;

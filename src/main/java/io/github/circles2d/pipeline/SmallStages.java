@@ -32,7 +32,8 @@ public interface SmallStages extends DeviceState {
      * of one substep and the kicks of the next; a step may go on with the lists of the one before.
      *
      * @param horizon time for which the list must hold, seconds
-     * @param slack how much nearer than by their speeds two circles may come in it, world units
+     * @param slack how much nearer than by their speeds two circles may come in it, and after it in steps that go on with the list, world
+     *     units
      */
     void detect(float horizon, float slack);
 

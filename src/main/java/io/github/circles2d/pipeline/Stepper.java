@@ -5,7 +5,8 @@ import java.nio.FloatBuffer;
 /** Makes the steps of one world: calls the stages of a solver in order, the same for every device. Not thread-safe. */
 public interface Stepper {
     /**
-     * Replaces the circles. Those that were there keep their numbers and what the solver remembers of them. Waits.
+     * Replaces the circles. Those that were there keep their numbers, radii, masses and what the solver remembers of them, and are where
+     * the last step has left them; others may have come after them, and any velocity be another. Waits.
      *
      * @param population the circles; their buffer direct, in native order, read from 0
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0

@@ -209,7 +209,7 @@ public final class Tuning {
 
     /**
      * How far circles may go before contacts are listed again, where those of a step are good for more than that step, smallest radii.
-     * 0 (each step lists its own) to 0.5: more list more.
+     * 0 (each step lists its own, unless nothing moves) to 0.5: more list more.
      */
     public static final float SKIN = 0.4f;
 

@@ -13,6 +13,7 @@ import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jocl.CL;
 import org.jocl.NativePointerObject;
@@ -37,7 +38,9 @@ final class FaultyClApi implements InvocationHandler {
     private final Map<Object, Boolean> unmapped = new IdentityHashMap<>();
     private final List<String> misuses = new ArrayList<>();
     private final List<String> calls = new ArrayList<>();
-    private final Set<String> launched = new TreeSet<>();
+    /** How often each kernel was launched. */
+    private final Map<String, Integer> launched = new TreeMap<>();
+
     private final Map<Integer, Long> limits = new HashMap<>();
     private int failFrom = Integer.MAX_VALUE;
     private int failTo;
@@ -76,7 +79,12 @@ final class FaultyClApi implements InvocationHandler {
 
     /** Kernels that ran. */
     synchronized Set<String> launched() {
-        return new TreeSet<>(launched);
+        return new TreeSet<>(launched.keySet());
+    }
+
+    /** How often a kernel was launched. */
+    synchronized int launches(String kernel) {
+        return launched.getOrDefault(kernel, 0);
     }
 
     /** Handles that were created and not released, and memory that was mapped and not unmapped. */
@@ -162,7 +170,7 @@ final class FaultyClApi implements InvocationHandler {
             live.remove(mapped.remove(args[1]));
             unmapped.put(args[2], true);
         } else if (name.equals("enqueueNDRangeKernel")) {
-            launched.add(live.get(args[1]));
+            launched.merge(live.get(args[1]), 1, Integer::sum);
         } else if (name.equals("setKernelArg")
                 // local memory has a size and no pointer
                 && args[3] != null

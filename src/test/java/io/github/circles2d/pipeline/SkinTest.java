@@ -113,8 +113,9 @@ class SkinTest {
         velocities.put(0, 3).put(1, 1);
         upload();
         for (int step = 1; step <= 3; step++) {
+            detections = 0;
             step();
-            assertTrue(detections >= step, detections + " detections in " + step + " steps");
+            assertTrue(detections > 0, "none in step " + step);
         }
     }
 
@@ -137,5 +138,6 @@ class SkinTest {
         upload();
         step();
         assertEquals(1, detections);
+        everyOverlapIsListed();
     }
 }
