@@ -1,14 +1,11 @@
 package io.github.circles2d.opencl;
 
-import java.util.Arrays;
-
 /** Host code of {@code kernels/alone.cl}: stages of a small world by one work-group. */
 final class Alone {
     private final Kernel grid;
     private final Kernel batch;
     private final Kernel solve;
     private final Kernel solveLast;
-    private final int[] substeps = new int[2];
 
     Alone(Session session, Program program) {
         grid = new Kernel(session, program, "c2d_alone_grid");
@@ -23,7 +20,6 @@ final class Alone {
         batch.range(1, world.oneGroup()).arguments(known, new Kernel.Local(Batch.COUNTS), colours(world));
         bind(solve, world, 0);
         bind(solveLast, world, 1);
-        Arrays.fill(substeps, 0);
     }
 
     private static void bind(Kernel kernel, SmallWorld world, int publishes) {
@@ -67,21 +63,14 @@ final class Alone {
     }
 
     /** Substeps, the end of the last included. */
-    void solve(int count) {
-        solve(solve, 0, count);
+    void solve(int substeps) {
+        solve.more(substeps);
+        solve.launch();
     }
 
     /** The same, of a step the last of them. */
-    void solveLast(int count) {
-        solve(solveLast, 1, count);
-    }
-
-    private void solve(Kernel kernel, int which, int count) {
-        // an argument costs a third of a launch
-        if (substeps[which] != count) {
-            substeps[which] = count;
-            kernel.more(count);
-        }
-        kernel.launch();
+    void solveLast(int substeps) {
+        solveLast.more(substeps);
+        solveLast.launch();
     }
 }

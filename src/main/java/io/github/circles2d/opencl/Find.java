@@ -12,8 +12,6 @@ final class Find {
     private final List<Kernel> count = new ArrayList<>();
     private final List<Kernel> fill = new ArrayList<>();
     private final Scan scan;
-    private float horizon;
-    private float slack;
 
     /** @param tables the pairs, or null to look into the grid */
     Find(Session session, Program program, PairTables tables) {
@@ -28,7 +26,6 @@ final class Find {
         scan.bind(world, Heap.LIST_START, world.circles() + 1, true);
         bind(world, count, "c2d_find_count", known);
         bind(world, fill, "c2d_find_fill", known);
-        horizon = Float.NaN;
     }
 
     private void bind(SmallWorld world, List<Kernel> kernels, String name, Object[] known) {
@@ -56,21 +53,15 @@ final class Find {
         }
     }
 
-    void run(float newHorizon, float newSlack) {
-        // an argument costs a third of a launch
-        boolean changes = horizon != newHorizon || slack != newSlack;
-        horizon = newHorizon;
-        slack = newSlack;
-        run(count, changes);
+    void run(float horizon, float slack) {
+        run(count, horizon, slack);
         scan.run();
-        run(fill, changes);
+        run(fill, horizon, slack);
     }
 
-    private void run(List<Kernel> kernels, boolean changes) {
+    private static void run(List<Kernel> kernels, float horizon, float slack) {
         for (int s = 0; s < kernels.size(); s++) {
-            if (changes) {
-                kernels.get(s).more(horizon, slack);
-            }
+            kernels.get(s).more(horizon, slack);
             kernels.get(s).launch();
         }
     }

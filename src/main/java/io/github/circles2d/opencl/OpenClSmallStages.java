@@ -218,10 +218,11 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void integrate() {
-        if (now().isAlone) {
-            now().alone.solve(waiting);
+        SmallKernels now = now();
+        if (now.isAlone) {
+            now.alone.solve(waiting);
         } else {
-            now().integrate.run();
+            now.integrate.run();
         }
     }
 
@@ -229,8 +230,9 @@ final class OpenClSmallStages implements SmallStages {
     public void solve(int count) {
         // one work-group does the end of the last as well
         waiting = count;
-        if (!now().isAlone) {
-            now().solve.run(count, groups());
+        SmallKernels now = now();
+        if (!now.isAlone) {
+            now.solve.run(count, groups());
         }
     }
 
@@ -248,10 +250,11 @@ final class OpenClSmallStages implements SmallStages {
     @Override
     public void publish() {
         state.changes();
-        if (now().isAlone) {
-            now().alone.solveLast(waiting);
+        SmallKernels now = now();
+        if (now.isAlone) {
+            now.alone.solveLast(waiting);
         } else {
-            now().integrate.publish();
+            now.integrate.publish();
         }
         session.flush();
     }
