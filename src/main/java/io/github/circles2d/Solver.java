@@ -39,7 +39,8 @@ public enum Solver {
      * last; then {@code x += h v}. Contacts are listed before the circles touch, as far as they can come in a step or, where they
      * are fast, in the part of it until the list is made again. Where they are slow the list has a skin as Verlet's (Physical Review
      * 159, 1967): the next step goes on with it, and so the next, as long as no circle should come farther in all than {@value
-     * io.github.circles2d.pipeline.Tuning#SKIN} of the smallest radius, or less where less lasts long enough, and none is added. A visit of a contact with gap s (negative where the circles overlap), normal n, approach
+     * io.github.circles2d.pipeline.Tuning#SKIN} of the smallest radius, or less where less lasts long enough, and none is added. A
+     * visit of a contact with gap s (negative where the circles overlap), normal n, approach
      * velocity v_n and the impulse l that it had already does three things:
      *
      * <ul>

@@ -21,8 +21,6 @@ public final class SmallPipeline implements Stepper {
     private Motion motion;
 
     private final Motion uploaded = new Motion();
-    /** The farthest that one is expected to come in the next step, world units: as far again, or as its speed says. */
-    private float coming;
     /** How much farther they may come with the contacts listed last, world units; less than is coming where the next step lists its own. */
     private float skin = -1;
 
@@ -53,16 +51,16 @@ public final class SmallPipeline implements Stepper {
         population = circles;
         skin = more ? -1 : skin;
         population.motion(velocities, more ? Float.POSITIVE_INFINITY : motion.moved(), uploaded);
-        moves(uploaded);
+        motion = uploaded;
         boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
         used = levels[wide ? levels.length - 1 : 0];
         stages.upload(population.circle(), velocities, levels, used);
     }
 
-    private void moves(Motion now) {
-        motion = now;
-        coming = Math.max(motion.moved(), motion.speed() * config.timeStep());
+    /** The farthest that a circle is expected to come in the next step, world units: as far again, or as its speed says. */
+    private float coming() {
+        return Math.max(motion.moved(), motion.speed() * config.timeStep());
     }
 
     @Override
@@ -71,7 +69,7 @@ public final class SmallPipeline implements Stepper {
         substeps = known.length == 1
                 ? known[0]
                 : known[Substeps.choose(config, population, motion.fastest()) / Tuning.AUTO_UNIT - 1];
-        boolean listed = coming <= skin;
+        boolean listed = coming() <= skin;
         if (!listed) {
             choose();
         }
@@ -103,6 +101,7 @@ public final class SmallPipeline implements Stepper {
             used = now;
             stages.use(now);
         }
+        float coming = coming();
         float room = Math.min(substeps.skin(config, population, motion, now.reach), Tuning.SKIN_STEPS * coming);
         skin = perDetection == substeps.count() && coming <= room ? room : -1;
     }
@@ -146,7 +145,7 @@ public final class SmallPipeline implements Stepper {
             detections += status.updates();
         }
         contacts = status.contacts();
-        moves(stages.motion());
+        motion = stages.motion();
         skin -= motion.moved();
         inFlight = false;
     }
