@@ -7,6 +7,9 @@ import java.util.Arrays;
 
 /** Twin of {@code kernels/find.cl}: lists the pairs of circles that may touch before the next detection. */
 final class Find {
+    /** Beyond what rounding may take from a sum of five. */
+    private static final float ROUNDING = 1.00001f;
+
     private final SmallState state;
     private final SmallContacts contacts;
     private final Workers workers;
@@ -23,6 +26,7 @@ final class Find {
 
     private float horizon;
     private float slack;
+    private float always;
 
     Find(WorldConfig config, SmallState state, SmallContacts contacts, Workers workers) {
         this.state = state;
@@ -38,6 +42,7 @@ final class Find {
     void run(float newHorizon, float newSlack) {
         horizon = newHorizon;
         slack = newSlack;
+        always = state.number(Substeps.ALWAYS_NEAR);
         contacts.turn();
         if (owns.length < state.id.length) {
             owns = new int[state.id.length];
@@ -107,7 +112,7 @@ final class Find {
 
     /** {@code c2d_find_pair}. */
     private void pair(int i, int j) {
-        if (!near(i, j)) {
+        if (!near(state.body, SmallState.BODY * i, SmallState.BODY * j)) {
             return;
         }
         Levels levels = state.levels;
@@ -135,41 +140,76 @@ final class Find {
             int y = state.row(i) >> shift;
             boolean same = number == home;
             boolean folded = levels.folded(at);
+            SmallContacts.Found found = same ? ownFound : listedFound;
             int lastRow = Math.min(y + 1, levels.table[at + Levels.LAST_Y]);
             int lastColumn = Math.min(x + 1, levels.table[at + Levels.LAST_X]);
-            int begin = ownFound.count;
+            int begin = found.count;
             for (int row = same ? y : Math.max(y - 1, 0); row <= lastRow; row++) {
-                for (int column = same && row == y ? x : Math.max(x - 1, 0); column <= lastColumn; column++) {
-                    int bucket = levels.bucket(at, column, row);
-                    boolean mine = same && row == y && column == x;
-                    for (int j = mine ? i + 1 : state.bucketStart[bucket]; j < state.bucketStart[bucket + 1]; j++) {
-                        // a bucket of a folded level holds circles of cells far apart
-                        if (near(i, j)
-                                && (!folded || state.column(j) >> shift == column && state.row(j) >> shift == row)) {
-                            if (same) {
-                                ownFound.append(j, i);
-                            } else {
-                                listedFound.append(i, j);
-                            }
-                        }
+                boolean own = same && row == y;
+                int column = own ? x : Math.max(x - 1, 0);
+                while (column <= lastColumn) {
+                    // cells of a row are next to each other, save where the level is folded
+                    int to = folded ? column : lastColumn;
+                    int first = own && column == x ? i + 1 : state.bucketStart[levels.bucket(at, column, row)];
+                    int end = state.bucketStart[levels.bucket(at, to, row) + 1];
+                    int before = found.count;
+                    among(first, end, i, same, found);
+                    if (folded) {
+                        // a bucket holds circles of cells far apart
+                        keep(column, row, shift, before, same, found);
                     }
+                    column = to + 1;
                 }
             }
-            if (folded) {
-                Arrays.sort(ownFound.other, begin, ownFound.count);
+            if (folded && same) {
+                Arrays.sort(found.other, begin, found.count);
             }
         }
+    }
+
+    /** Circle i and those from {@code first} to {@code end}. */
+    private void among(int first, int end, int i, boolean same, SmallContacts.Found found) {
+        float[] body = state.body;
+        int a = SmallState.BODY * i;
+        float x = body[a];
+        float y = body[a + 1];
+        float vx = body[a + 2];
+        float vy = body[a + 3];
+        float radius = body[a + SmallState.RADIUS];
+        float still = radius + slack;
+        float more = always * radius;
+        for (int j = first, b = SmallState.BODY * first; j < end; j++, b += SmallState.BODY) {
+            float dx = x - body[b];
+            float dy = y - body[b + 1];
+            float travel = (Math.abs(vx - body[b + 2]) + Math.abs(vy - body[b + 3])) * horizon;
+            // most are farther apart than this, which needs no root, and no guess which of the two is smaller
+            float reach = (still + body[b + SmallState.RADIUS] + more + travel) * ROUNDING;
+            if (dx * dx + dy * dy < reach * reach && near(body, a, b)) {
+                found.append(same ? j : i, same ? i : j);
+            }
+        }
+    }
+
+    /** Of the contacts found since there were {@code before}, keeps those with circles of one cell. */
+    private void keep(int column, int row, int shift, int before, boolean same, SmallContacts.Found found) {
+        int count = before;
+        for (int k = before; k < found.count; k++) {
+            int j = same ? found.other[k] : found.lists[k];
+            if (state.column(j) >> shift == column && state.row(j) >> shift == row) {
+                found.other[count] = found.other[k];
+                found.lists[count] = found.lists[k];
+                count++;
+            }
+        }
+        found.count = count;
     }
 
     private float radius(int i) {
         return state.body[SmallState.BODY * i + SmallState.RADIUS];
     }
 
-    /** Whether two circles may touch within the horizon; the same whichever comes first. */
-    private boolean near(int i, int j) {
-        float[] body = state.body;
-        int a = SmallState.BODY * i;
-        int b = SmallState.BODY * j;
+    /** {@code c2d_near}, of the circles at {@code a} and {@code b} of the bodies. */
+    private boolean near(float[] body, int a, int b) {
         float dx = body[a] - body[b];
         float dy = body[a + 1] - body[b + 1];
         float dvx = body[a + 2] - body[b + 2];
@@ -178,7 +218,7 @@ final class Find {
         float rb = body[b + SmallState.RADIUS];
         float travel = (float) Math.sqrt(dvx * dvx + dvy * dvy) * horizon;
         float smaller = ra < rb ? ra : rb;
-        float reach = ra + rb + state.number(Substeps.ALWAYS_NEAR) * smaller + slack + travel;
+        float reach = ra + rb + always * smaller + slack + travel;
         return dx * dx + dy * dy < reach * reach;
     }
 }

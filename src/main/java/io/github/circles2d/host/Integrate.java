@@ -1,6 +1,7 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Substeps;
+import io.github.circles2d.pipeline.Tuning;
 
 /** Twin of {@code kernels/integrate.cl} and {@code walls.cl}: a substep's share of each circle alone. */
 final class Integrate {
@@ -24,33 +25,52 @@ final class Integrate {
     }
 
     private void part(int part, int from, int end) {
-        for (int i = from; i < end; i++) {
+        for (int first = from; first < end; first += Tuning.HOST_TURN) {
+            int last = Math.min(first + Tuning.HOST_TURN, end);
             if (moves) {
-                walls(i);
-                move(i);
+                move(first, last, 0);
+                move(first, last, 1);
             }
             if (kicks) {
-                kick(i);
+                kick(first, last);
             }
         }
     }
 
-    /** The walls, last of the contacts of a pass; gaps are those before any of them moves the circle. */
-    private void walls(int i) {
+    /** {@code c2d_small_move}: both walls of an axis, last of the contacts of a pass; then the way of the substep. */
+    private void move(int from, int end, int axis) {
         float[] body = state.body;
-        int b = SmallState.BODY * i;
-        float x = body[b];
-        float y = body[b + 1];
-        float radius = body[b + SmallState.RADIUS];
-        axis(i, 0, x - n[Substeps.MIN_X] - radius, n[Substeps.MAX_X] - x - radius);
-        axis(i, 1, y - n[Substeps.MIN_Y] - radius, n[Substeps.MAX_Y] - y - radius);
+        float time = n[Substeps.TIME];
+        float least = n[Substeps.MIN_X + axis];
+        float most = n[Substeps.MAX_X + axis];
+        for (int i = from; i < end; i++) {
+            int b = SmallState.BODY * i + axis;
+            float radius = body[SmallState.BODY * i + SmallState.RADIUS];
+            float position = body[b];
+            float velocity = body[b + SmallState.VX];
+            // gaps are those before either wall moves the circle
+            float gapLow = position - least - radius;
+            float gapHigh = most - position - radius;
+            if (isNear(velocity, gapLow, radius, time) || isNear(-velocity, gapHigh, radius, time)) {
+                walls(i, axis, gapLow, gapHigh);
+                position = body[b];
+                velocity = body[b + SmallState.VX];
+            }
+            position += time * velocity;
+            float half = 0.5f * radius;
+            if (!(position >= least + half)) {
+                position = least + half;
+                velocity = velocity < 0 ? -n[Substeps.RESTITUTION] * velocity : velocity;
+            } else if (position > most - half) {
+                position = most - half;
+                velocity = velocity > 0 ? -n[Substeps.RESTITUTION] * velocity : velocity;
+            }
+            body[b] = position;
+            body[b + SmallState.VX] = velocity;
+        }
     }
 
-    /** Both walls of an axis. */
-    private void axis(int i, int axis, float gapLow, float gapHigh) {
-        if (!isNear(i, axis, 1, gapLow) && !isNear(i, axis, -1, gapHigh)) {
-            return;
-        }
+    private void walls(int i, int axis, float gapLow, float gapHigh) {
         float[] walls = state.walls;
         int at = 4 * state.id[i] + 2 * axis;
         float come = walls[at];
@@ -62,10 +82,8 @@ final class Integrate {
     }
 
     /** {@code c2d_near_wall}. */
-    private boolean isNear(int i, int axis, float sign, float gap) {
-        int b = SmallState.BODY * i;
-        float speed = sign * state.body[b + axis + SmallState.VX];
-        return gap < 2 * state.body[b + SmallState.RADIUS] || gap + speed * n[Substeps.TIME] < 0;
+    private static boolean isNear(float speed, float gap, float radius, float time) {
+        return gap < 2 * radius || gap + speed * time < 0;
     }
 
     private static float positive(float x) {
@@ -98,7 +116,7 @@ final class Integrate {
         float radius = body[SmallState.BODY * i + SmallState.RADIUS];
         float w = body[SmallState.BODY * i + SmallState.INVERSE_MASS];
         float speed = sign * body[b + SmallState.VX];
-        if (!isNear(i, axis, sign, gap)) {
+        if (!isNear(speed, gap, radius, n[Substeps.TIME])) {
             return memory(come, last);
         }
         float impulse = come - (speed + (gap > 0 ? gap : 0) * n[Substeps.PER_TIME]) / w;
@@ -128,41 +146,31 @@ final class Integrate {
         return memory(next, bounced ? -1 : impulse);
     }
 
-    private void move(int i) {
-        float half = 0.5f * state.body[SmallState.BODY * i + SmallState.RADIUS];
-        for (int axis = 0; axis < 2; axis++) {
-            float[] body = state.body;
-            int b = SmallState.BODY * i + axis;
-            float min = n[Substeps.MIN_X + axis];
-            float max = n[Substeps.MAX_X + axis];
-            float position = body[b] + n[Substeps.TIME] * body[b + SmallState.VX];
-            float velocity = body[b + SmallState.VX];
-            if (!(position >= min + half)) {
-                position = min + half;
-                velocity = velocity < 0 ? -n[Substeps.RESTITUTION] * velocity : velocity;
-            } else if (position > max - half) {
-                position = max - half;
-                velocity = velocity > 0 ? -n[Substeps.RESTITUTION] * velocity : velocity;
-            }
-            body[b] = position;
-            body[b + SmallState.VX] = velocity;
+    private void kick(int from, int end) {
+        float[] body = state.body;
+        float[] kicked = state.kicked;
+        float gainX = n[Substeps.GAIN_X];
+        float gainY = n[Substeps.GAIN_Y];
+        float mostX = n[Substeps.SPEED_X];
+        float mostY = n[Substeps.SPEED_Y];
+        float slower = n[Substeps.SLOWED];
+        for (int i = from; i < end; i++) {
+            int b = SmallState.BODY * i;
+            float kickX = body[b + SmallState.KICK_X];
+            float kickY = body[b + SmallState.KICK_Y];
+            float slowed = kickX != 0 || kickY != 0 ? slower : 1;
+            body[b + SmallState.VX] = kicked(body[b + SmallState.VX], slowed, gainX + kickX, mostX);
+            body[b + SmallState.VY] = kicked(body[b + SmallState.VY], slowed, gainY + kickY, mostY);
+            body[b + SmallState.KICK_X] = 0;
+            body[b + SmallState.KICK_Y] = 0;
+            kicked[2 * i] = kickX;
+            kicked[2 * i + 1] = kickY;
         }
     }
 
-    private void kick(int i) {
-        float[] body = state.body;
-        int b = SmallState.BODY * i;
-        float kickX = body[b + SmallState.KICK_X];
-        float kickY = body[b + SmallState.KICK_Y];
-        float slowed = kickX != 0 || kickY != 0 ? n[Substeps.SLOWED] : 1;
-        for (int axis = 0; axis < 2; axis++) {
-            float kick = body[b + SmallState.KICK_X + axis];
-            float velocity = body[b + SmallState.VX + axis] * slowed + (n[Substeps.GAIN_X + axis] + kick);
-            float most = n[Substeps.SPEED_X + axis];
-            velocity = velocity < most ? velocity : most;
-            body[b + SmallState.VX + axis] = velocity > -most ? velocity : -most;
-            body[b + SmallState.KICK_X + axis] = 0;
-            state.kicked[2 * i + axis] = kick;
-        }
+    private static float kicked(float before, float slowed, float gain, float most) {
+        float velocity = before * slowed + gain;
+        float low = velocity < most ? velocity : most;
+        return low > -most ? low : -most;
     }
 }

@@ -48,6 +48,14 @@ final class Workers {
 
         @Override
         protected boolean exec() {
+            // who has just worked is soon wanted again, and waking takes longer than most parts
+            long idleFrom = System.nanoTime();
+            while (System.nanoTime() - idleFrom < Tuning.HOST_IDLE) {
+                if (attempt()) {
+                    idleFrom = System.nanoTime();
+                }
+                Thread.onSpinWait();
+            }
             queued.set(false);
             attempt();
             return false;
@@ -64,16 +72,18 @@ final class Workers {
             }
         }
 
-        void attempt() {
-            if (progress.compareAndSet(OPEN, TAKEN)) {
-                try {
-                    work.run(part, from, end);
-                } catch (RuntimeException | Error e) {
-                    failure = e;
-                } finally {
-                    progress.set(DONE);
-                }
+        boolean attempt() {
+            if (progress.get() != OPEN || !progress.compareAndSet(OPEN, TAKEN)) {
+                return false;
             }
+            try {
+                work.run(part, from, end);
+            } catch (RuntimeException | Error e) {
+                failure = e;
+            } finally {
+                progress.set(DONE);
+            }
+            return true;
         }
 
         void await() {

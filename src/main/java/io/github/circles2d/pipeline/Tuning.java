@@ -278,8 +278,14 @@ public final class Tuning {
     /** Turns that plain Java waits for another thread at full speed before it yields. 0 to 10^5; a turn takes some 10 ns. */
     public static final int HOST_SPINS = 2000;
 
-    /** Fewest circles or contacts that plain Java gives to another thread: waking one takes some 20 us. 500 to 10,000. */
-    public static final int HOST_ITEMS = 2000;
+    /** How long a thread that has done a part of a stage waits for the next, ns: waking one takes some 20 us. 0 to 10^6. */
+    public static final long HOST_IDLE = 200_000;
+
+    /** Fewest circles or contacts that plain Java gives to another thread: they take some 10 us. 200 to 10,000. */
+    public static final int HOST_ITEMS = 500;
+
+    /** Circles that a thread does one step after the other with, so that they stay in its nearest cache. 64 to 1,024: 32 bytes each. */
+    public static final int HOST_TURN = 512;
 
     private Tuning() {}
 }
