@@ -12,16 +12,16 @@
 #define C2D_FIND_HERE                                                                                                  \
     C2D_BODY, C2D_LEVEL_TABLE, C2D_RULE, status, world.circles, C2D_LIST_START, C2D_FILLED, C2D_OTHER, C2D_FOUND
 
-// Whether two circles may touch within the horizon, in which they may come nearer by `slack` than they go now; the same whichever
-// comes first.
-static bool c2d_near(float8 a, float8 b, __global const float *rule, float horizon, float slack) {
+// Whether two circles may touch within the horizon, in which they may come nearer by `slack` than they go now, or are as near as is
+// `always` listed, in smaller radii; the same whichever comes first.
+static bool c2d_near(float8 a, float8 b, float always, float horizon, float slack) {
     const float dx = a.s0 - b.s0;
     const float dy = a.s1 - b.s1;
     const float dvx = a.s2 - b.s2;
     const float dvy = a.s3 - b.s3;
     const float travel = sqrt(dvx * dvx + dvy * dvy) * horizon;
     const float smaller = a.s6 < b.s6 ? a.s6 : b.s6;
-    const float reach = a.s6 + b.s6 + C2D_ALWAYS_NEAR * smaller + slack + travel;
+    const float reach = a.s6 + b.s6 + always * smaller + slack + travel;
     return dx * dx + dy * dy < reach * reach;
 }
 

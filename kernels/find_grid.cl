@@ -42,6 +42,7 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
     const int end = fill ? listStart[i + 1] : 0;
     // who fills comes here seldom, and compilers take their time over several
     const int atOnce = fill ? 1 : C2D_AT_ONCE;
+    const float always = C2D_ALWAYS_NEAR;
     int free = end;
     int pairs = 0;
     for (int number = ownCell.z; number < levelCount; number++) {
@@ -68,14 +69,16 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
 #else
                     const float8 there = body[last];
 #endif
-                    for (int turn = 0; turn < atOnce && last - turn >= first; turn++) {
-                        const int j = last - turn;
-                        if (!c2d_near(own, C2D_CANDIDATE, rule, horizon, slack)) {
-                            continue;
-                        }
+                    // few are near: without a branch for each of the others
+                    uint near = 0u;
+                    for (int turn = 0; turn < atOnce; turn++) {
+                        near |= (uint)(last - turn >= first && c2d_near(own, C2D_CANDIDATE, always, horizon, slack)) << turn;
+                    }
+                    for (; near != 0u; near &= near - 1u) {
+                        const int j = last - 31 + (int)clz(near & -near);
                         if (folded) {
                             // a bucket holds circles of cells far apart
-                            const int4 cell = c2d_cell(C2D_CANDIDATE, levels, rule);
+                            const int4 cell = c2d_cell(body[j], levels, rule);
                             if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
                                 continue;
                             }
