@@ -55,10 +55,10 @@ final class Find {
             Arrays.fill(owns, 0, state.circles, 0);
             pairs.forEach(state.circles, pair);
         } else {
-            workers.run(state.circles, search);
+            workers.runUneven(state.circles, search);
         }
         lay();
-        workers.run(state.circles, fill);
+        workers.runUneven(state.circles, fill);
     }
 
     /** Where each list begins; then what others have found for it, at its start, in the order of their places. */

@@ -26,7 +26,7 @@ public final class HostSmallStages implements SmallStages {
 
     public HostSmallStages(WorldConfig config) {
         this.config = config;
-        grid = new Grid(state);
+        grid = new Grid(state, workers);
         find = new Find(config, state, contacts, workers);
         match = new Match(state, contacts, workers);
         integrate = new Integrate(state, workers);
@@ -69,21 +69,20 @@ public final class HostSmallStages implements SmallStages {
 
     @Override
     public void integrate() {
-        integrate.run(true, false);
+        integrate.run(true, false, false);
     }
 
     @Override
     public void solve(int count) {
         for (int substep = 0; substep < count; substep++) {
-            integrate.run(substep > 0, true);
+            integrate.run(substep > 0, true, false);
             solve.run();
         }
     }
 
     @Override
     public void publish() {
-        integrate();
-        state.publish();
+        integrate.run(true, false, true);
     }
 
     @Override

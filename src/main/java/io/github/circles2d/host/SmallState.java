@@ -81,34 +81,6 @@ final class SmallState {
         from = new int[room];
     }
 
-    /** What the kernel {@code c2d_integrate} publishes. */
-    void publish() {
-        float fastest = 0;
-        float moved = 0;
-        float speed = 0;
-        for (int i = 0; i < circles; i++) {
-            int b = BODY * i;
-            int d = id[i];
-            float dx = body[b + X] - circle[4 * d];
-            float dy = body[b + Y] - circle[4 * d + 1];
-            float vx = body[b + VX];
-            float vy = body[b + VY];
-            circle[4 * d] = body[b + X];
-            circle[4 * d + 1] = body[b + Y];
-            velocities[2 * d] = vx;
-            velocities[2 * d + 1] = vy;
-            float square = vx * vx + vy * vy;
-            fastest = more((float) Math.sqrt(square) / body[b + RADIUS], fastest);
-            moved = more(dx * dx + dy * dy, moved);
-            speed = more(square, speed);
-        }
-        motion.set(fastest, (float) Math.sqrt(moved), (float) Math.sqrt(speed));
-    }
-
-    private static float more(float one, float most) {
-        return one > most ? one : most;
-    }
-
     void download(FloatBuffer toCircle, FloatBuffer toVelocities) {
         toCircle.put(0, circle, 0, 4 * circles);
         toVelocities.put(0, velocities, 0, 2 * circles);

@@ -5,6 +5,7 @@ import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * Shares the work of a stage among the threads of Java's common pool, in parts that touch nothing in common: who does which
@@ -17,26 +18,12 @@ final class Workers {
     }
 
     /**
-     * One part; used again for every run, so it never completes as the pool understands it: a task that completes and starts
-     * again loses the one who waits for it. Whoever opens it first does it, a thread of the pool or the one that waits.
+     * What a thread of the pool helps with; used again for every run, so it never completes as the pool understands it: a task
+     * that completes and starts again loses the one who waits for it.
      */
     @SuppressWarnings("serial")
-    private static final class Task extends ForkJoinTask<Void> {
-        private static final int OPEN = 0;
-        private static final int TAKEN = 1;
-        private static final int DONE = 2;
-
-        private final AtomicInteger progress = new AtomicInteger(DONE);
+    private final class Helper extends ForkJoinTask<Void> {
         private final AtomicBoolean queued = new AtomicBoolean();
-        private final int part;
-        private Work work;
-        private int from;
-        private int end;
-        private Throwable failure;
-
-        Task(int part) {
-            this.part = part;
-        }
 
         @Override
         public Void getRawResult() {
@@ -51,93 +38,117 @@ final class Workers {
             // who has just worked is soon wanted again, and waking takes longer than most parts
             long idleFrom = System.nanoTime();
             while (System.nanoTime() - idleFrom < Tuning.HOST_IDLE) {
-                if (attempt()) {
+                if (help()) {
                     idleFrom = System.nanoTime();
                 }
                 Thread.onSpinWait();
             }
             queued.set(false);
-            attempt();
+            // a run that began just before found it queued
+            help();
             return false;
         }
 
-        void start(Work newWork, int newFrom, int newEnd) {
-            work = newWork;
-            from = newFrom;
-            end = newEnd;
-            failure = null;
-            progress.set(OPEN);
+        void wake() {
             if (queued.compareAndSet(false, true)) {
                 ForkJoinPool.commonPool().execute(this);
             }
         }
-
-        boolean attempt() {
-            if (progress.get() != OPEN || !progress.compareAndSet(OPEN, TAKEN)) {
-                return false;
-            }
-            try {
-                work.run(part, from, end);
-            } catch (RuntimeException | Error e) {
-                failure = e;
-            } finally {
-                progress.set(DONE);
-            }
-            return true;
-        }
-
-        void await() {
-            for (int turns = 0; progress.get() != DONE; turns++) {
-                if (turns < Tuning.HOST_SPINS) {
-                    Thread.onSpinWait();
-                } else {
-                    Thread.yield();
-                }
-            }
-        }
     }
 
-    private final Task[] tasks = new Task[Math.max(1, ForkJoinPool.getCommonPoolParallelism() + 1)];
+    private final Helper[] helpers = new Helper[Math.max(0, ForkJoinPool.getCommonPoolParallelism())];
+    private final Throwable[] failures = new Throwable[(1 + helpers.length) * Tuning.HOST_PARTS];
+
+    /** Of a run: its number, the parts it has, and how many of them have been taken, in one so that they change at once. */
+    private final AtomicLong taken = new AtomicLong();
+
+    private final AtomicInteger undone = new AtomicInteger();
+    private Work work;
+    private int items;
 
     Workers() {
-        for (int part = 0; part < tasks.length; part++) {
-            tasks[part] = new Task(part);
+        for (int k = 0; k < helpers.length; k++) {
+            helpers[k] = new Helper();
         }
     }
 
     /** Most parts of a run. */
     int most() {
-        return tasks.length;
+        return failures.length;
     }
 
-    /** Does {@code items} items, few of them in this thread alone; returns when all are done. */
+    /**
+     * Does {@code items} items that take as long as each other, few of them in this thread alone; returns when all are done. A part a
+     * thread: most find in their cache what they did before.
+     */
     void run(int items, Work work) {
-        int parts = Math.min(tasks.length, items / Tuning.HOST_ITEMS);
+        run(items, work, 1 + helpers.length);
+    }
+
+    /** The same of items some of which take much longer than others. */
+    void runUneven(int items, Work work) {
+        run(items, work, most());
+    }
+
+    private void run(int newItems, Work newWork, int mostParts) {
+        int parts = Math.min(mostParts, newItems / Tuning.HOST_ITEMS);
         if (parts <= 1) {
-            work.run(0, 0, items);
+            newWork.run(0, 0, newItems);
             return;
         }
-        for (int part = 1; part < parts; part++) {
-            tasks[part].start(work, (int) ((long) items * part / parts), (int) ((long) items * (part + 1) / parts));
+        work = newWork;
+        items = newItems;
+        undone.set(parts);
+        taken.set((taken.get() >>> 32) + 1 << 32 | (long) parts << 16);
+        for (int k = 0; k < Math.min(helpers.length, parts - 1); k++) {
+            helpers[k].wake();
         }
+        help();
+        for (int turns = 0; undone.get() > 0; turns++) {
+            if (turns < Tuning.HOST_SPINS) {
+                Thread.onSpinWait();
+            } else {
+                Thread.yield();
+            }
+        }
+        rethrow(parts);
+    }
+
+    /** Takes parts until there are none; whether there were any. */
+    private boolean help() {
+        boolean helped = false;
+        long now = taken.get();
+        while ((now & 0xFFFF) < (now >>> 16 & 0xFFFF)) {
+            if (taken.compareAndSet(now, now + 1)) {
+                part((int) (now & 0xFFFF), (int) (now >>> 16 & 0xFFFF));
+                helped = true;
+            }
+            now = taken.get();
+        }
+        return helped;
+    }
+
+    private void part(int part, int parts) {
         try {
-            work.run(0, 0, items / parts);
+            work.run(part, (int) ((long) items * part / parts), (int) ((long) items * (part + 1) / parts));
+        } catch (RuntimeException | Error e) {
+            failures[part] = e;
         } finally {
-            for (int part = parts - 1; part > 0; part--) {
-                tasks[part].attempt();
-            }
-            for (int part = 1; part < parts; part++) {
-                tasks[part].await();
-            }
+            undone.decrementAndGet();
         }
-        for (int part = 1; part < parts; part++) {
-            Throwable failure = tasks[part].failure;
-            if (failure instanceof Error error) {
-                throw error;
-            }
-            if (failure != null) {
-                throw (RuntimeException) failure;
-            }
+    }
+
+    private void rethrow(int parts) {
+        Throwable first = null;
+        for (int part = parts - 1; part >= 0; part--) {
+            first = failures[part] == null ? first : failures[part];
+            failures[part] = null;
+        }
+        if (first instanceof Error error) {
+            throw error;
+        }
+        if (first != null) {
+            throw (RuntimeException) first;
         }
     }
 }

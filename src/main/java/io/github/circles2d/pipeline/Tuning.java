@@ -284,6 +284,9 @@ public final class Tuning {
     /** Fewest circles or contacts that plain Java gives to another thread: they take some 10 us. 200 to 10,000. */
     public static final int HOST_ITEMS = 500;
 
+    /** Parts for each thread of plain Java, where some take much longer than others. 1 to 16. */
+    public static final int HOST_PARTS = 4;
+
     /** Circles that a thread does one step after the other with, so that they stay in its nearest cache. 64 to 1,024: 32 bytes each. */
     public static final int HOST_TURN = 512;
 
