@@ -75,7 +75,7 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 
     for (int k = item; k < C2D_MOTIONS; k += items) {
         most[k] = 0u;
     }
-    uint4 motion = (uint4)(0u);
+    uint8 motion = (uint8)(0u);
     // the end of the last substep as one that only moves: what is inlined twice compiles twice
     for (int substep = 0; substep <= substeps; substep++) {
         const bool ends = substep == substeps;

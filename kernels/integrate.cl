@@ -61,20 +61,25 @@ __kernel void c2d_load(C2D_WORLD, __global const float4 *circle, __global const 
 
 // The end of a step for circle i, which is as `b` says: makes it known by its number. Returns how it moves, as bits, or those of `motion`
 // that move more. Positive floats compare as their bits do.
-static uint4 c2d_publish(float8 b, int to, __global float4 *circle, __global float2 *velocities, uint4 motion) {
+static uint8 c2d_publish(float8 b, int to, __global float4 *circle, __global float2 *velocities, uint8 motion) {
     const float dx = b.s0 - circle[to].x;
     const float dy = b.s1 - circle[to].y;
     const float speed = b.s2 * b.s2 + b.s3 * b.s3;
     circle[to].xy = b.s01;
     velocities[to] = b.s23;
-    return max(motion, (uint4)(as_uint(c2d_positive(sqrt(speed) / b.s6)), as_uint(c2d_positive(dx * dx + dy * dy)),
-                               as_uint(c2d_positive(speed)), 0u));
+    return max(motion, (uint8)(as_uint(c2d_positive(sqrt(speed) / b.s6)), as_uint(c2d_positive(dx * dx + dy * dy)),
+                               as_uint(c2d_positive(speed)), as_uint(c2d_positive(b.s2)), as_uint(c2d_positive(-b.s2)),
+                               as_uint(c2d_positive(b.s3)), as_uint(c2d_positive(-b.s3)), 0u));
 }
 
-static void c2d_publish_most(uint4 motion, volatile __local uint *most) {
+static void c2d_publish_most(uint8 motion, volatile __local uint *most) {
     atomic_max(&most[0], motion.s0);
     atomic_max(&most[1], motion.s1);
     atomic_max(&most[2], motion.s2);
+    atomic_max(&most[3], motion.s3);
+    atomic_max(&most[4], motion.s4);
+    atomic_max(&most[5], motion.s5);
+    atomic_max(&most[6], motion.s6);
 }
 
 // Before the first substep of a detection.
@@ -98,7 +103,7 @@ __kernel void c2d_integrate(C2D_WORLD, int publishes, __global float4 *circle, _
         const float8 b = c2d_integrated(C2D_BODY[i], i, true, false, C2D_CIRCLES_HERE);
         C2D_BODY[i] = b;
         if (publishes) {
-            c2d_publish_most(c2d_publish(b, C2D_ID[i], circle, velocities, (uint4)(0u)), most);
+            c2d_publish_most(c2d_publish(b, C2D_ID[i], circle, velocities, (uint8)(0u)), most);
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);

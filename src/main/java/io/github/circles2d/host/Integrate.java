@@ -1,29 +1,28 @@
 package io.github.circles2d.host;
 
+import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.Substeps;
 import io.github.circles2d.pipeline.Tuning;
 import java.util.Arrays;
 
 /** Twin of {@code kernels/integrate.cl} and {@code walls.cl}: a substep's share of each circle alone. */
 final class Integrate {
-    /** Numbers of a part. */
-    private static final int MOST = 3;
-
     private final SmallState state;
     private final Workers workers;
     private final Workers.Work work = this::part;
     private boolean moves;
     private boolean kicks;
     private boolean publishes;
-    /** Of each part: the highest speed, radii a second; squares of the longest way of a step and of the highest speed. */
-    private final float[] most;
+    /** Of each part. */
+    private final Motion[] motions;
 
     private float[] n;
 
     Integrate(SmallState state, Workers workers) {
         this.state = state;
         this.workers = workers;
-        most = new float[MOST * workers.most()];
+        motions = new Motion[workers.most()];
+        Arrays.setAll(motions, part -> new Motion());
     }
 
     /** The end of a substep, the start of one, and, where that was the last of a step, what others see of the circles. */
@@ -32,13 +31,13 @@ final class Integrate {
         moves = move;
         kicks = kick;
         publishes = publish;
-        Arrays.fill(most, 0);
         workers.run(state.circles, work);
         if (publish) {
-            for (int part = MOST; part < most.length; part += MOST) {
-                atLeast(0, most[part], most[part + 1], most[part + 2]);
+            state.motion.clear();
+            for (Motion motion : motions) {
+                state.motion.add(motion);
+                motion.clear();
             }
-            state.motion.set(most[0], (float) Math.sqrt(most[1]), (float) Math.sqrt(most[2]));
         }
     }
 
@@ -53,7 +52,7 @@ final class Integrate {
                 kick(first, last);
             }
             if (publishes) {
-                publish(first, last, MOST * part);
+                publish(first, last, motions[part]);
             }
         }
     }
@@ -190,13 +189,9 @@ final class Integrate {
     }
 
     /** {@code c2d_publish}. */
-    private void publish(int from, int end, int mostAt) {
+    private void publish(int from, int end, Motion motion) {
         float[] body = state.body;
         float[] circle = state.circle;
-        float[] velocities = state.velocities;
-        float fastest = 0;
-        float moved = 0;
-        float speed = 0;
         for (int i = from; i < end; i++) {
             int b = SmallState.BODY * i;
             int d = state.id[i];
@@ -204,28 +199,12 @@ final class Integrate {
             float y = body[b + SmallState.Y];
             float vx = body[b + SmallState.VX];
             float vy = body[b + SmallState.VY];
-            float dx = x - circle[4 * d];
-            float dy = y - circle[4 * d + 1];
+            motion.add(vx, vy, body[b + SmallState.RADIUS], x - circle[4 * d], y - circle[4 * d + 1]);
             circle[4 * d] = x;
             circle[4 * d + 1] = y;
-            velocities[2 * d] = vx;
-            velocities[2 * d + 1] = vy;
-            float square = vx * vx + vy * vy;
-            fastest = more((float) Math.sqrt(square) / body[b + SmallState.RADIUS], fastest);
-            moved = more(dx * dx + dy * dy, moved);
-            speed = more(square, speed);
+            state.velocities[2 * d] = vx;
+            state.velocities[2 * d + 1] = vy;
         }
-        atLeast(mostAt, fastest, moved, speed);
-    }
-
-    private void atLeast(int at, float fastest, float moved, float speed) {
-        most[at] = more(fastest, most[at]);
-        most[at + 1] = more(moved, most[at + 1]);
-        most[at + 2] = more(speed, most[at + 2]);
-    }
-
-    private static float more(float one, float most) {
-        return one > most ? one : most;
     }
 
     private static float kicked(float before, float slowed, float gain, float most) {

@@ -1,9 +1,11 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Motion;
+
 /** Host code of {@code kernels/integrate.cl}: a substep's share of each circle alone. */
 final class Integrate {
     /** Local memory of what is found out at the end of a step, bytes. */
-    static final int MOST_BYTES = 12;
+    static final int MOST_BYTES = 4 * Motion.NUMBERS;
 
     private final Kernel integrate;
     private final Kernel publish;

@@ -12,7 +12,8 @@ import java.nio.FloatBuffer;
  * microseconds, however small.
  */
 final class State {
-    private static final int STATUS_BYTES = 32;
+    private static final int STATUS_BYTES = 48;
+    private static final int MOTION = 16;
 
     /** {@code C2D_TOO_DENSE}. */
     private static final int TOO_DENSE = 2;
@@ -90,7 +91,7 @@ final class State {
         int updates = said.getInt(8) - updatesSeen;
         updatesSeen = said.getInt(8);
         tiles = said.getInt(12);
-        motion.set(said.getFloat(16), (float) Math.sqrt(said.getFloat(20)), (float) Math.sqrt(said.getFloat(24)));
+        motion.set(said, MOTION);
         if (said.getInt(4) == TOO_DENSE) {
             throw Status.tooDense();
         }

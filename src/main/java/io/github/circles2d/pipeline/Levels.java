@@ -54,6 +54,8 @@ public final class Levels {
 
     /** How far the reach of a circle goes beyond its radius, radii. */
     public final float reach;
+    /** How much nearer two circles of cells that are not neighbours may come until they touch, world units. */
+    final float room;
 
     private final float finest;
     private final float perUnit;
@@ -64,10 +66,10 @@ public final class Levels {
         this.reach = reach;
         double width = (double) config.maxX() - config.minX();
         double height = (double) config.maxY() - config.minY();
-        double least = Math.max(width, height) / Tuning.MAX_FINE_CELLS_PER_AXIS;
-        float size = (float) Math.max(least, reach(population.maxRadius()));
+        double narrowest = Math.max(width, height) / Tuning.MAX_FINE_CELLS_PER_AXIS;
+        float size = (float) Math.max(narrowest, reach(population.maxRadius()));
         int levels = 1;
-        while (levels < Tuning.LEVELS && size / 2 >= least && size / 2 >= reach(population.minRadius())) {
+        while (levels < Tuning.LEVELS && size / 2 >= narrowest && size / 2 >= reach(population.minRadius())) {
             size /= 2;
             levels++;
         }
@@ -100,6 +102,12 @@ public final class Levels {
         count = made[LEVELS];
         table = Arrays.copyOf(made, at(count));
         cells = base;
+        float least = Float.MAX_VALUE;
+        for (int level = 0; level < count; level++) {
+            float wide = finest * (1 << table[at(level) + SHIFT]);
+            least = Math.min(least, wide - 2 * Float.intBitsToFloat(table[at(level) + LARGEST]));
+        }
+        room = least;
     }
 
     /** Where a level begins in {@link #table}. */

@@ -1,39 +1,88 @@
 package io.github.circles2d.pipeline;
 
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+
 /**
  * How the circles of a world of {@link io.github.circles2d.Solver#SMALL_STEPS} move at the end of a step, as far as the next one is
  * cut by it. The same object each time: a step allocates nothing.
  */
 public final class Motion {
-    private float fastest;
-    private float moved;
-    private float speed;
+    /** How many numbers that is, which are those of {@code C2D_MOTION} in {@code kernels/common.cl}. */
+    public static final int NUMBERS = 7;
 
-    /**
-     * Says how they move from now on.
-     *
-     * @param newFastest highest speed, radii a second
-     * @param newMoved the farthest that one has come in the step, world units
-     * @param newSpeed highest speed, world units a second
-     */
-    public void set(float newFastest, float newMoved, float newSpeed) {
-        fastest = newFastest;
-        moved = newMoved;
-        speed = newSpeed;
+    private static final int FASTEST = 0;
+    private static final int MOVED_SQUARE = 1;
+    private static final int SPEED_SQUARE = 2;
+    private static final int RIGHT = 3;
+    private static final int LEFT = 4;
+    private static final int UP = 5;
+    private static final int DOWN = 6;
+
+    /** The highest of each, none below 0. */
+    private final float[] most = new float[NUMBERS];
+
+    /** Of no circle. */
+    public void clear() {
+        Arrays.fill(most, 0);
+    }
+
+    /** Of one circle more, which goes so fast, world units a second, and has come so far in the step, world units. */
+    public void add(float vx, float vy, float radius, float dx, float dy) {
+        float square = vx * vx + vy * vy;
+        atLeast(FASTEST, (float) Math.sqrt(square) / radius);
+        atLeast(MOVED_SQUARE, dx * dx + dy * dy);
+        atLeast(SPEED_SQUARE, square);
+        atLeast(RIGHT, vx);
+        atLeast(LEFT, -vx);
+        atLeast(UP, vy);
+        atLeast(DOWN, -vy);
+    }
+
+    /** Of those of another besides. */
+    public void add(Motion other) {
+        for (int k = 0; k < NUMBERS; k++) {
+            atLeast(k, other.most[k]);
+        }
+    }
+
+    private void atLeast(int number, float value) {
+        most[number] = value > most[number] ? value : most[number];
+    }
+
+    /** As the status of a device says, from byte {@code at} on. */
+    public void set(ByteBuffer status, int at) {
+        for (int k = 0; k < NUMBERS; k++) {
+            most[k] = status.getFloat(at + 4 * k);
+        }
+    }
+
+    /** Of no circle yet of those that have come as far as another says, which may be this one; null: nobody knows how far. */
+    void begin(Motion before) {
+        float square = before == null ? Float.POSITIVE_INFINITY : before.most[MOVED_SQUARE];
+        clear();
+        most[MOVED_SQUARE] = square;
     }
 
     /** Highest speed, radii a second. */
     public float fastest() {
-        return fastest;
+        return most[FASTEST];
     }
 
     /** The farthest that a circle has come in the step, world units; infinite where nobody knows. */
     public float moved() {
-        return moved;
+        return (float) Math.sqrt(most[MOVED_SQUARE]);
     }
 
     /** Highest speed, world units a second. */
     public float speed() {
-        return speed;
+        return (float) Math.sqrt(most[SPEED_SQUARE]);
+    }
+
+    /** No two circles close in on each other faster, world units a second: the diagonal of the box of all velocities and none. */
+    public float closing() {
+        float width = most[RIGHT] + most[LEFT];
+        float height = most[UP] + most[DOWN];
+        return (float) Math.sqrt(width * width + height * height);
     }
 }

@@ -38,19 +38,12 @@ public record Population(
     /**
      * Says how circles move whose velocities are not, or not all, those after a step. The arithmetic is that of {@code c2d_publish}.
      *
-     * @param moved the farthest that one has come in the last step, world units; infinite where nobody knows
+     * @param before says how far they have come in the last step; null where nobody knows
      */
-    void motion(FloatBuffer velocities, float moved, Motion motion) {
-        float fastest = 0;
-        float speed = 0;
+    void motion(FloatBuffer velocities, Motion before, Motion motion) {
+        motion.begin(before);
         for (int i = 0; i < circles; i++) {
-            float vx = velocities.get(2 * i);
-            float vy = velocities.get(2 * i + 1);
-            float square = vx * vx + vy * vy;
-            float inRadii = (float) Math.sqrt(square) / circle.get(4 * i + 2);
-            fastest = inRadii > fastest ? inRadii : fastest;
-            speed = square > speed ? square : speed;
+            motion.add(velocities.get(2 * i), velocities.get(2 * i + 1), circle.get(4 * i + 2), 0, 0);
         }
-        motion.set(fastest, moved, (float) Math.sqrt(speed));
     }
 }

@@ -50,7 +50,7 @@ public final class SmallPipeline implements Stepper {
         boolean more = population == null || circles.circles() != population.circles();
         population = circles;
         skin = more ? -1 : skin;
-        population.motion(velocities, more ? Float.POSITIVE_INFINITY : motion.moved(), uploaded);
+        population.motion(velocities, more ? null : motion, uploaded);
         motion = uploaded;
         boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
@@ -107,7 +107,7 @@ public final class SmallPipeline implements Stepper {
     }
 
     private int perDetection(Levels of) {
-        return substeps.perDetection(config, population, motion, of.reach);
+        return substeps.perDetection(config, population, motion, of);
     }
 
     private int detections(int each) {

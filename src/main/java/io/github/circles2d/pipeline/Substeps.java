@@ -100,19 +100,21 @@ public record Substeps(int count, float seconds, float[] numbers) {
     }
 
     /**
-     * Substeps from one detection to the next, in which no two circles from cells that are not neighbours may meet. Cells are
-     * {@code reach} of a radius wider than a circle needs on each side; two circles at most at the highest speed, one of which
-     * falls while the other rests, use that up. Gravity alone should not make neighbours of many.
-     *
-     * @param reach how far the reach of a circle goes beyond its radius, radii
+     * Substeps from one detection to the next, in which no two circles from cells that are not neighbours may meet. Cells are wider
+     * than circles by their reach; two circles at most at the highest speed, one of which falls while the other rests, use that up.
+     * No two close in faster than the box of all velocities is wide either, and among many circles, some of which always hop, that
+     * is much less; few settle better with more detections. Gravity alone should not make neighbours of many.
      */
-    public int perDetection(WorldConfig config, Population population, Motion motion, float reach) {
+    public int perDetection(WorldConfig config, Population population, Motion motion, Levels levels) {
+        boolean many = population.circles() > Tuning.CLOSING_CIRCLES;
         float gravity = gravity(config) / population.minRadius();
         int substeps = count;
         while (substeps > 1) {
             float time = substeps * seconds;
             float fall = 0.5f * gravity * time * time;
-            if (nearer(config, gravity, motion, time) <= 2 * reach && fall <= Tuning.FALL) {
+            boolean apart = nearer(config, gravity, 2 * motion.fastest(), time) <= 2 * levels.reach
+                    || many && nearer(config, gravity(config), motion.closing(), time) <= levels.room;
+            if (apart && fall <= Tuning.FALL) {
                 break;
             }
             substeps--;
@@ -120,9 +122,9 @@ public record Substeps(int count, float seconds, float[] numbers) {
         return substeps;
     }
 
-    /** How much nearer two circles may come in a time within a step, radii. */
-    private static float nearer(WorldConfig config, float gravity, Motion motion, float time) {
-        return (2 * motion.fastest() + gravity * (config.timeStep() - time)) * time + 0.5f * gravity * time * time;
+    /** How much nearer two circles may come in a time within a step, in the units of gravity and of how fast they close in now. */
+    private static float nearer(WorldConfig config, float gravity, float closing, float time) {
+        return (closing + gravity * (config.timeStep() - time)) * time + 0.5f * gravity * time * time;
     }
 
     /**
@@ -134,7 +136,7 @@ public record Substeps(int count, float seconds, float[] numbers) {
      */
     public float skin(WorldConfig config, Population population, Motion motion, float reach) {
         float gravity = gravity(config) / population.minRadius();
-        float room = reach - 0.5f * nearer(config, gravity, motion, config.timeStep());
+        float room = reach - 0.5f * nearer(config, gravity, 2 * motion.fastest(), config.timeStep());
         return Math.min(Tuning.SKIN, room) * population.minRadius();
     }
 
