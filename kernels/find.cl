@@ -12,8 +12,8 @@
 #define C2D_FIND_HERE                                                                                                  \
     C2D_BODY, C2D_LEVEL_TABLE, C2D_RULE, status, world.circles, C2D_LIST_START, C2D_FILLED, C2D_OTHER, C2D_FOUND
 
-// Whether two circles may touch within the horizon, in which they may come nearer by `slack` than they go now, or are as near as is
-// `always` listed, in smaller radii; the same whichever comes first.
+// Whether two circles may touch within the horizon, in which they may come nearer by `slack` than they go now, with a gap of
+// `always` smaller radii to spare; the same whichever comes first.
 static bool c2d_near(float8 a, float8 b, float always, float horizon, float slack) {
     const float dx = a.s0 - b.s0;
     const float dy = a.s1 - b.s1;

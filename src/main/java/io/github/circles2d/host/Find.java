@@ -58,6 +58,7 @@ final class Find {
             workers.runUneven(state.circles, search);
         }
         lay();
+        // cut as for the search: each part fills in what it has found
         workers.runUneven(state.circles, fill);
     }
 

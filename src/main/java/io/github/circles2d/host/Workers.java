@@ -35,12 +35,14 @@ final class Workers {
 
         @Override
         protected boolean exec() {
-            // who has just worked is soon wanted again, and waking takes longer than most parts
-            long idleFrom = System.nanoTime();
-            while (System.nanoTime() - idleFrom < Tuning.HOST_IDLE) {
-                if (help()) {
-                    idleFrom = System.nanoTime();
-                }
+            // who has just worked is soon wanted again, and waking takes longer than most parts; but the pool is for
+            // others, too
+            long begun = System.nanoTime();
+            long idleFrom = begun;
+            for (long now = begun;
+                    now - idleFrom < Tuning.HOST_IDLE && now - begun < Tuning.HOST_STAY;
+                    now = System.nanoTime()) {
+                idleFrom = help() ? System.nanoTime() : idleFrom;
                 Thread.onSpinWait();
             }
             queued.set(false);
@@ -57,7 +59,7 @@ final class Workers {
     }
 
     private final Helper[] helpers = new Helper[Math.max(0, ForkJoinPool.getCommonPoolParallelism())];
-    private final Throwable[] failures = new Throwable[(1 + helpers.length) * Tuning.HOST_PARTS];
+    private final Throwable[] failures = new Throwable[Math.min(0xFFFF, (1 + helpers.length) * Tuning.HOST_PARTS)];
 
     /** Of a run: its number, the parts it has, and how many of them have been taken, in one so that they change at once. */
     private final AtomicLong taken = new AtomicLong();
@@ -78,8 +80,8 @@ final class Workers {
     }
 
     /**
-     * Does {@code items} items that take as long as each other, few of them in this thread alone; returns when all are done. A part a
-     * thread: most find in their cache what they did before.
+     * Does {@code items} items that take as long as each other, few of them in this thread alone; returns when all are done. As many
+     * parts as threads: most then find in their cache what they did before.
      */
     void run(int items, Work work) {
         run(items, work, 1 + helpers.length);
@@ -100,10 +102,18 @@ final class Workers {
         items = newItems;
         undone.set(parts);
         taken.set((taken.get() >>> 32) + 1 << 32 | (long) parts << 16);
-        for (int k = 0; k < Math.min(helpers.length, parts - 1); k++) {
-            helpers[k].wake();
+        try {
+            for (int k = 0; k < Math.min(helpers.length, parts - 1); k++) {
+                helpers[k].wake();
+            }
+        } finally {
+            help();
+            await();
         }
-        help();
+        rethrow(parts);
+    }
+
+    private void await() {
         for (int turns = 0; undone.get() > 0; turns++) {
             if (turns < Tuning.HOST_SPINS) {
                 Thread.onSpinWait();
@@ -111,7 +121,8 @@ final class Workers {
                 Thread.yield();
             }
         }
-        rethrow(parts);
+        // a helper that the pool still has should not keep a world that is gone
+        work = null;
     }
 
     /** Takes parts until there are none; whether there were any. */

@@ -12,8 +12,8 @@ import java.nio.FloatBuffer;
  * microseconds, however small.
  */
 final class State {
-    private static final int STATUS_BYTES = 48;
     private static final int MOTION = 16;
+    private static final int STATUS_BYTES = (MOTION + 4 * Motion.NUMBERS + 15) / 16 * 16;
 
     /** {@code C2D_TOO_DENSE}. */
     private static final int TOO_DENSE = 2;

@@ -47,7 +47,10 @@ public final class Motion {
     }
 
     private void atLeast(int number, float value) {
-        most[number] = value > most[number] ? value : most[number];
+        // threads that only read it do not wait for each other
+        if (value > most[number]) {
+            most[number] = value;
+        }
     }
 
     /** As the status of a device says, from byte {@code at} on. */
@@ -57,7 +60,7 @@ public final class Motion {
         }
     }
 
-    /** Of no circle yet of those that have come as far as another says, which may be this one; null: nobody knows how far. */
+    /** Starts anew, but keeps how far they have come {@code before}, which may be this one; null: nobody knows. */
     void begin(Motion before) {
         float square = before == null ? Float.POSITIVE_INFINITY : before.most[MOVED_SQUARE];
         clear();
@@ -79,7 +82,7 @@ public final class Motion {
         return (float) Math.sqrt(most[SPEED_SQUARE]);
     }
 
-    /** No two circles close in on each other faster, world units a second: the diagonal of the box of all velocities and none. */
+    /** No two circles close in on each other faster at the end of the step, world units a second: the diagonal of the box of all velocities and 0. */
     public float closing() {
         float width = most[RIGHT] + most[LEFT];
         float height = most[UP] + most[DOWN];

@@ -284,8 +284,11 @@ public final class Tuning {
     /** Turns that plain Java waits for another thread at full speed before it yields. 0 to 10^5; a turn takes some 10 ns. */
     public static final int HOST_SPINS = 2000;
 
-    /** How long a thread that has done a part of a stage waits for the next, ns: waking one takes some 20 us. 0 to 10^6. */
+    /** How long a thread that helps waits for the next part, ns: waking one takes some 20 us. 0 to 10^6. */
     public static final long HOST_IDLE = 200_000;
+
+    /** How long it helps at most before others that wait for Java's common pool have their turn, ns. 10^6 to 10^7. */
+    public static final long HOST_STAY = 4_000_000;
 
     /** Fewest circles or contacts that plain Java gives to another thread: they take some 10 us. 200 to 10,000. */
     public static final int HOST_ITEMS = 500;

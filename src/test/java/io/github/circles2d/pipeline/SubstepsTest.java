@@ -33,7 +33,7 @@ class SubstepsTest {
         float speed = 20 * RADIUS * 60;
         assertTrue(perDetection(few, speed, speed) < 5);
         assertEquals(perDetection(few, speed, speed), perDetection(few, speed, -speed));
-        // against those that rest, or against walls, they are as fast as that
+        // against those that rest they are as fast as that
         int together = perDetection(few + 1, speed, speed);
         assertTrue(together >= 2 * perDetection(few, speed, speed) - 1, together + " together");
         assertEquals(perDetection(few, speed, -speed), perDetection(few + 1, speed, -speed), 1);
