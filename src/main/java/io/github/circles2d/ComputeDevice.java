@@ -53,7 +53,10 @@ public final class ComputeDevice {
         return List.copyOf(all);
     }
 
-    /** Plain Java; always there. */
+    /**
+     * Plain Java; always there. Steps use the threads of {@link java.util.concurrent.ForkJoinPool#commonPool} besides the one that calls,
+     * which does the work alone where the pool is busy.
+     */
     public static ComputeDevice host() {
         return HOST;
     }
