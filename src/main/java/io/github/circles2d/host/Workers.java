@@ -58,7 +58,7 @@ final class Workers {
         }
     }
 
-    private final Helper[] helpers = new Helper[Math.max(0, ForkJoinPool.getCommonPoolParallelism())];
+    private final Helper[] helpers = new Helper[ForkJoinPool.getCommonPoolParallelism()];
     private final Throwable[] failures = new Throwable[Math.min(0xFFFF, (1 + helpers.length) * Tuning.HOST_PARTS)];
 
     /** Of a run: its number, the parts it has, and how many of them have been taken, in one so that they change at once. */

@@ -66,10 +66,10 @@ public final class Levels {
         this.reach = reach;
         double width = (double) config.maxX() - config.minX();
         double height = (double) config.maxY() - config.minY();
-        double narrowest = Math.max(width, height) / Tuning.MAX_FINE_CELLS_PER_AXIS;
-        float size = (float) Math.max(narrowest, reach(population.maxRadius()));
+        double least = Math.max(width, height) / Tuning.MAX_FINE_CELLS_PER_AXIS;
+        float size = (float) Math.max(least, reach(population.maxRadius()));
         int levels = 1;
-        while (levels < Tuning.LEVELS && size / 2 >= narrowest && size / 2 >= reach(population.minRadius())) {
+        while (levels < Tuning.LEVELS && size / 2 >= least && size / 2 >= reach(population.minRadius())) {
             size /= 2;
             levels++;
         }
@@ -90,6 +90,7 @@ public final class Levels {
         made[LAST_Y] = (int) (height * perUnit);
         made[PER_UNIT] = Float.floatToRawIntBits(perUnit);
         int base = 0;
+        float spare = Float.MAX_VALUE;
         for (int shift = 0; shift < levels; shift++) {
             if (largest[shift] > 0) {
                 int at = at(made[LEVELS]++);
@@ -97,17 +98,13 @@ public final class Levels {
                 made[at + BASE] = base;
                 made[at + LARGEST] = Float.floatToRawIntBits(largest[shift]);
                 base += made[at + WIDTH] * made[at + HEIGHT];
+                spare = Math.min(spare, finest * (1 << shift) - 2 * largest[shift]);
             }
         }
         count = made[LEVELS];
         table = Arrays.copyOf(made, at(count));
         cells = base;
-        float least = Float.MAX_VALUE;
-        for (int level = 0; level < count; level++) {
-            float wide = finest * (1 << table[at(level) + SHIFT]);
-            least = Math.min(least, wide - 2 * Float.intBitsToFloat(table[at(level) + LARGEST]));
-        }
-        room = least;
+        room = spare;
     }
 
     /** Where a level begins in {@link #table}. */
