@@ -14,7 +14,7 @@ __kernel C2D_ONE void c2d_alone_grid(C2D_WORLD, int allCells, __local int *sums)
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     for (int i = item; i < circles; i += items) {
-        c2d_grid_bin_at(i, C2D_BODY_BEFORE, C2D_LEVEL_TABLE, C2D_RULE, circles, C2D_BUCKET, C2D_BUCKET_START);
+        c2d_grid_bin_at(i, C2D_BODY_BEFORE, C2D_LEVEL_TABLE, world.numbers, circles, C2D_BUCKET, C2D_BUCKET_START);
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_scan_group(C2D_BUCKET_START, cells + 1, sums);
@@ -42,7 +42,7 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, 
     for (int k = item; k < contacts; k += items) {
         C2D_BY_TILE[k] = k;
         C2D_BATCH[world.capacity + k] =
-            c2d_batch_code(c2d_cell(C2D_BODY[C2D_BATCH[k]], C2D_LEVEL_TABLE, C2D_RULE), C2D_LEVEL_TABLE);
+            c2d_batch_code(c2d_cell(C2D_BODY[C2D_BATCH[k]], C2D_LEVEL_TABLE, world.numbers), C2D_LEVEL_TABLE);
         C2D_BATCH[2 * world.capacity + k] = 0;
     }
     if (item == 0) {
@@ -68,7 +68,6 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 
     const bool stalled = status[C2D_STALLED] != 0u;
     const int circles = stalled ? 0 : world.circles;
     const int8 tile = C2D_SOLVES[0];
-    const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
     for (int i = item; i < circles; i += items) {
         c2d_body_to(bodies, i, circles, C2D_BODY[i]);
     }

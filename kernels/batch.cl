@@ -78,14 +78,14 @@ static int c2d_batch_classes(int levelCount) { return 9 * levelCount - 3; }
 
 // The part of contact k, of those of its tile. Its tint is, until it is coloured, the code of its bucket.
 static int c2d_batch_part_of(int k, int contacts, __global const float8 *body, __global const int8 *levels,
-                             __global const int8 *tilings, __global const float *rule, __global const int *other,
+                             __global const int8 *tilings, const c2d_numbers numbers, __global const int *other,
                              __global const int *batch, __global ushort *tint) {
     if (k >= contacts) {
         return -1;
     }
-    const int4 cell = c2d_cell(body[batch[k]], levels, rule);
+    const int4 cell = c2d_cell(body[batch[k]], levels, numbers);
     const int2 a = cell.xy;
-    const int2 b = c2d_finest_cell(body[other[k]].s01, levels[0], rule);
+    const int2 b = c2d_finest_cell(body[other[k]].s01, levels[0], numbers);
     // the last tiling holds whatever those before do not
     int tiling = -1;
     int tile;
@@ -99,12 +99,12 @@ static int c2d_batch_part_of(int k, int contacts, __global const float8 *body, _
 
 // Contacts 4 q to 4 q + 3; there is always room for a multiple of four.
 static void c2d_batch_count_at(int q, int contacts, __global const float8 *body, __global const int8 *levels,
-                               __global const int8 *tilings, __global const float *rule, __global const int *other,
+                               __global const int8 *tilings, const c2d_numbers numbers, __global const int *other,
                                int capacity, __global int *batch, __global int *tileStart, __global ushort *tint) {
     int4 part = (int4)(-1, -1, -1, -1);
 #pragma unroll 1
     for (int k = 4 * q; k < 4 * q + 4; k++) {
-        part = (int4)(part.y, part.z, part.w, c2d_batch_part_of(k, contacts, body, levels, tilings, rule, other, batch, tint));
+        part = (int4)(part.y, part.z, part.w, c2d_batch_part_of(k, contacts, body, levels, tilings, numbers, other, batch, tint));
     }
     ((__global int4 *)(batch + capacity))[q] = c2d_batch_turns(part, tileStart);
     ((__global int4 *)(batch + 2 * capacity))[q] = part;
@@ -112,11 +112,11 @@ static void c2d_batch_count_at(int q, int contacts, __global const float8 *body,
 
 // The part of the circle at place p: circles are counted after the contacts of all `tiles`, by tiles of the first tiling.
 static int c2d_batch_part_of_circle(int p, int circles, __global const float8 *body, int8 all, __global const int8 *tilings,
-                                    __global const float *rule, int tiles) {
+                                    const c2d_numbers numbers, int tiles) {
     if (p >= circles) {
         return -1;
     }
-    const int2 cell = c2d_finest_cell(body[p].s01, all, rule);
+    const int2 cell = c2d_finest_cell(body[p].s01, all, numbers);
     return c2d_batch_part(tiles + c2d_tile(cell, tilings[0]), cell.y);
 }
 
@@ -126,7 +126,7 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     const bool stalled = status[C2D_STALLED] != 0u;
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
     for (int q = (int)get_global_id(0); 4 * q < contacts; q += (int)get_global_size(0)) {
-        c2d_batch_count_at(q, contacts, C2D_BODY, C2D_LEVEL_TABLE, C2D_TILING_TABLE, C2D_RULE, C2D_OTHER,
+        c2d_batch_count_at(q, contacts, C2D_BODY, C2D_LEVEL_TABLE, C2D_TILING_TABLE, world.numbers, C2D_OTHER,
                            world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TINT);
     }
     const int circles = stalled ? 0 : world.circles;
@@ -135,7 +135,7 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
 #pragma unroll 1
         for (int p = 4 * q; p < 4 * q + 4; p++) {
             part = (int4)(part.y, part.z, part.w,
-                          c2d_batch_part_of_circle(p, circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles));
+                          c2d_batch_part_of_circle(p, circles, C2D_BODY, all, C2D_TILING_TABLE, world.numbers, tiles));
         }
         ((__global int4 *)C2D_TURN_OF)[q] = c2d_batch_turns(part, C2D_TILE_START);
     }
@@ -176,7 +176,7 @@ __kernel void c2d_batch_fill(C2D_WORLD, int tiles, int tilings) {
     }
     for (int p = (int)get_global_id(0); p < (stalled ? 0 : world.circles); p += (int)get_global_size(0)) {
         const int part =
-            c2d_batch_part_of_circle(p, world.circles, C2D_BODY, all, C2D_TILING_TABLE, C2D_RULE, tiles);
+            c2d_batch_part_of_circle(p, world.circles, C2D_BODY, all, C2D_TILING_TABLE, world.numbers, tiles);
         C2D_MEMBERS[C2D_TILE_START[part] - contacts + C2D_TURN_OF[p]] = p;
         C2D_TURN_OF[p] = 0;
         C2D_MASK[p] = 0ul;

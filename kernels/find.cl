@@ -5,12 +5,12 @@
 // What find knows. `filled`, from `circles` on: how much of each list is filled from its start; `found`: of each contact the
 // other circle and the one in whose list it is.
 #define C2D_FIND                                                                                                       \
-    __global const float8 *body, __global const int8 *levels, __global const float *rule, __global const uint *status,   \
+    __global const float8 *body, __global const int8 *levels, const c2d_numbers numbers, __global const uint *status,   \
         int circles, __global int *listStart, __global int *filled, __global int *other, __global int2 *found
 #define C2D_FILLED C2D_AT(int, kicked)
 #define C2D_FOUND C2D_AT(int2, found)
 #define C2D_FIND_HERE                                                                                                  \
-    C2D_BODY, C2D_LEVEL_TABLE, C2D_RULE, status, world.circles, C2D_LIST_START, C2D_FILLED, C2D_OTHER, C2D_FOUND
+    C2D_BODY, C2D_LEVEL_TABLE, world.numbers, status, world.circles, C2D_LIST_START, C2D_FILLED, C2D_OTHER, C2D_FOUND
 
 // Whether two circles may touch within the horizon, in which they may come nearer by `slack` than they go now, with a gap of
 // `always` smaller radii to spare; the same whichever comes first.

@@ -37,12 +37,12 @@ static void c2d_find_put_smaller(int i, int j, int circles, __global const int *
 static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __global int *kept, float horizon, float slack,
                             bool fill) {
     const float8 own = body[i];
-    const int4 ownCell = c2d_cell(own, levels, rule);
+    const int4 ownCell = c2d_cell(own, levels, numbers);
     const int levelCount = levels[0].C2D_LEVELS;
     const int end = fill ? listStart[i + 1] : 0;
     // who fills comes here seldom, and compilers take their time over several
     const int atOnce = fill ? 1 : C2D_AT_ONCE;
-    const float always = C2D_ALWAYS_NEAR;
+    const float always = numbers.alwaysNear;
     int free = end;
     int pairs = 0;
     for (int number = ownCell.z; number < levelCount; number++) {
@@ -78,7 +78,7 @@ static void c2d_find_around(int i, C2D_FIND, __global const int *bucketStart, __
                         const int j = last - 31 + (int)clz(near & -near);
                         if (folded) {
                             // a bucket holds circles of cells far apart
-                            const int4 cell = c2d_cell(body[j], levels, rule);
+                            const int4 cell = c2d_cell(body[j], levels, numbers);
                             if (cell.x >> level.C2D_SHIFT != column || cell.y >> level.C2D_SHIFT != row) {
                                 continue;
                             }
@@ -129,7 +129,7 @@ __kernel void c2d_find_fill(C2D_WORLD, float horizon, float slack) {
         c2d_find_around(i, C2D_FIND_HERE, C2D_BUCKET_START, C2D_KEPT_PAIRS, horizon, slack, true);
         return;
     }
-    const bool folded = pairs > 0 && c2d_is_folded(C2D_LEVEL_TABLE[1 + c2d_cell(C2D_BODY[i], C2D_LEVEL_TABLE, C2D_RULE).z]);
+    const bool folded = pairs > 0 && c2d_is_folded(C2D_LEVEL_TABLE[1 + c2d_cell(C2D_BODY[i], C2D_LEVEL_TABLE, world.numbers).z]);
     const int end = C2D_LIST_START[i + 1];
     int free = end;
     for (int k = 0; k < pairs; k++) {

@@ -9,11 +9,11 @@ static void c2d_find_pair(C2D_FIND, __global const int2 *table, ulong first, ulo
     const int2 pair = c2d_pair_at((c2d_index)first + (c2d_index)item, (c2d_index)first, circles, table);
     const float8 bodyA = body[pair.x];
     const float8 bodyB = body[pair.y];
-    if (!c2d_near(bodyA, bodyB, C2D_ALWAYS_NEAR, horizon, slack)) {
+    if (!c2d_near(bodyA, bodyB, numbers.alwaysNear, horizon, slack)) {
         return;
     }
-    const int4 a = c2d_cell(bodyA, levels, rule);
-    const int4 b = c2d_cell(bodyB, levels, rule);
+    const int4 a = c2d_cell(bodyA, levels, numbers);
+    const int4 b = c2d_cell(bodyB, levels, numbers);
     const int shift = levels[1 + max(a.z, b.z)].C2D_SHIFT;
     const int dx = (a.x >> shift) - (b.x >> shift);
     const int dy = (a.y >> shift) - (b.y >> shift);

@@ -35,8 +35,8 @@ __kernel void c2d_grid_clear(C2D_WORLD, int cells, int parts) {
 
 // Counts the circles of each bucket, one place up, so that the sums of the counts are where buckets begin.
 static void c2d_grid_bin_at(int i, __global const float8 *bodyBefore, __global const int8 *levels,
-                            __global const float *rule, int circles, __global int *bucket, __global int *bucketStart) {
-    const int4 cell = c2d_cell(bodyBefore[i], levels, rule);
+                            const c2d_numbers numbers, int circles, __global int *bucket, __global int *bucketStart) {
+    const int4 cell = c2d_cell(bodyBefore[i], levels, numbers);
     const int8 level = levels[1 + cell.z];
     const int own = c2d_bucket(level, cell.x >> level.C2D_SHIFT, cell.y >> level.C2D_SHIFT);
     bucket[i] = own;
@@ -46,7 +46,7 @@ static void c2d_grid_bin_at(int i, __global const float8 *bodyBefore, __global c
 __kernel void c2d_grid_bin(C2D_WORLD) {
     const int i = (int)get_global_id(0);
     if (i < world.circles && status[C2D_STALLED] == 0u) {
-        c2d_grid_bin_at(i, C2D_BODY_BEFORE, C2D_LEVEL_TABLE, C2D_RULE, world.circles, C2D_BUCKET, C2D_BUCKET_START);
+        c2d_grid_bin_at(i, C2D_BODY_BEFORE, C2D_LEVEL_TABLE, world.numbers, world.circles, C2D_BUCKET, C2D_BUCKET_START);
     }
 }
 

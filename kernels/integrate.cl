@@ -10,24 +10,15 @@ static c2d_axis c2d_small_kick(c2d_axis a, c2d_along along, float slowed) {
     return a;
 }
 
-// What a circle needs for that.
-#define C2D_CIRCLES                                                                                                    \
-    __global const int *id, __global float2 *kicked, __global float2 *walls, const c2d_numbers numbers
-#define C2D_CIRCLES_HERE C2D_ID, C2D_KICKED, C2D_WALLS, numbers
-
 // Of circle i, which is as `b` says: the end of a substep, `move`, the start of one, `kick`, or both.
 static float8 c2d_integrated(float8 b, int i, bool move, bool kick, C2D_CIRCLES) {
     c2d_axis x = {b.s0, b.s2, b.s4};
     c2d_axis y = {b.s1, b.s3, b.s5};
     if (move) {
-        const float2 u = kicked[i];
-        const bool carried = u.x != 0.0f || u.y != 0.0f;
-        __global float2 *both = walls + 2 * id[i];
         // one after the other: compilers take their time over what they unroll; after two turns each is where it was
 #pragma unroll 1
         for (int axis = 0; axis < 2; axis++) {
-            const c2d_axis moved = c2d_small_move(x, axis == 0 ? numbers.x : numbers.y, b.s6, b.s7, axis == 0 ? u.x : u.y, carried,
-                                                  both + axis, numbers);
+            const c2d_axis moved = c2d_small_move(x, axis, b.s6, b.s7, i, id, kicked, walls, numbers);
             x = y;
             y = moved;
         }
@@ -99,7 +90,6 @@ __kernel void c2d_integrate(C2D_WORLD, int publishes, __global float4 *circle, _
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (i < world.circles && status[C2D_STALLED] == 0u) {
-        const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
         const float8 b = c2d_integrated(C2D_BODY[i], i, true, false, C2D_CIRCLES_HERE);
         C2D_BODY[i] = b;
         if (publishes) {

@@ -11,8 +11,9 @@
 // to come and the last one (-1 after a bounce), is in the order of solving, and `where` says of each contact where in it.
 
 // All of that is in one buffer, for a launch takes longer with every buffer that it gets: a kernel gets the `heap`, the status, and
-// a c2d_world, which says where the parts of the heap begin, in units of 32 bytes. Twin: opencl.Heap. `Before`: those of the
-// detection before. What a part holds while it is not needed for that, each file says where it names it with C2D_AT.
+// a c2d_world, which says where the parts of the heap begin, in units of 32 bytes, and has the numbers of a substep. Twins:
+// opencl.Heap and WorldArgument. `Before`: those of the detection before. What a part holds while it is not needed for that, each
+// file says where it names it with C2D_AT.
 typedef struct {
     uint body;
     uint bodyBefore;
@@ -35,10 +36,10 @@ typedef struct {
     uint tileStart;
     uint solves;
     uint live;
-    uint rule;
     int circles;
     // Contacts that there is room for.
     int capacity;
+    c2d_numbers numbers;
 } c2d_world;
 
 // Of a kernel for one work-group: compilers count on small ones where nothing is said.
@@ -66,7 +67,6 @@ typedef struct {
 // time, be there anything to do or not.
 #define C2D_LIVE C2D_AT(int, live)
 #define C2D_TILINGS 64
-#define C2D_RULE C2D_AT(const float, rule)
 // Once a detection has what it needs of the one before, the parts of that one hold the order of solving: kernels/batch.cl.
 #define C2D_BATCH C2D_AT(int, bodyBefore)
 #define C2D_BY_TILE C2D_AT(int, otherBefore)
@@ -104,20 +104,20 @@ static int c2d_finest(float coordinate, float min, float perUnit, int last) {
     return (int)(low < (float)last ? low : (float)last);
 }
 
-static int2 c2d_finest_cell(float2 centre, int8 all, __global const float *rule) {
+static int2 c2d_finest_cell(float2 centre, int8 all, const c2d_numbers numbers) {
     const float perUnit = as_float(all.C2D_PER_UNIT);
-    return (int2)(c2d_finest(centre.x, C2D_MIN(0), perUnit, all.C2D_LAST_X),
-                  c2d_finest(centre.y, C2D_MIN(1), perUnit, all.C2D_LAST_Y));
+    return (int2)(c2d_finest(centre.x, numbers.x.min, perUnit, all.C2D_LAST_X),
+                  c2d_finest(centre.y, numbers.y.min, perUnit, all.C2D_LAST_Y));
 }
 
 // The cell of a circle: finest column and row, and the number of its level.
-static int4 c2d_cell(float8 body, __global const int8 *levels, __global const float *rule) {
+static int4 c2d_cell(float8 body, __global const int8 *levels, const c2d_numbers numbers) {
     const int8 all = levels[0];
     int number = 0;
     while (number < all.C2D_LEVELS - 1 && body.s6 > as_float(levels[1 + number].C2D_LARGEST)) {
         number++;
     }
-    return (int4)(c2d_finest_cell(body.s01, all, rule), number, 0);
+    return (int4)(c2d_finest_cell(body.s01, all, numbers), number, 0);
 }
 
 static float c2d_positive(float x) { return x > 0.0f ? x : 0.0f; }

@@ -128,7 +128,6 @@ static void c2d_solve_any(int8 tile, int begins, C2D_WORLD, __local float8 *bodi
     const int circles = begins == C2D_NOTHING || stalled ? 0 : tile.s3 - tile.s2;
     const int colours = stalled ? 0 : tile.s4;
     const bool fits = begins != C2D_NOTHING && tile.s5 != 0;
-    const c2d_numbers numbers = c2d_numbers_of(C2D_RULE);
     for (int m = item; m < circles; m += items) {
         const int place = C2D_MEMBERS[tile.s2 + m];
         const float8 body = c2d_integrated(C2D_BODY[place], place, begins == C2D_MOVE_AND_KICK, true, C2D_CIRCLES_HERE);
@@ -172,8 +171,7 @@ static float2 c2d_rescaled(float come, float last, float ratio) {
 
 // What impulses are worth in substeps of another time. One work-item a circle, going round where contacts are more.
 __kernel void c2d_rescale(C2D_WORLD) {
-    __global const float *rule = C2D_RULE;
-    const float ratio = C2D_RESCALE;
+    const float ratio = world.numbers.rescale;
     const int i = (int)get_global_id(0);
     const int contacts = C2D_LIST_START[world.circles];
     for (int k = i; k < contacts; k += (int)get_global_size(0)) {

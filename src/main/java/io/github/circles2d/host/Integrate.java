@@ -61,8 +61,8 @@ final class Integrate {
     private void move(int from, int end, int axis) {
         float[] body = state.body;
         float time = n[Substeps.TIME];
-        float least = n[Substeps.MIN_X + axis];
-        float most = n[Substeps.MAX_X + axis];
+        float least = n[Substeps.MIN_X + Substeps.AXIS * axis];
+        float most = n[Substeps.MAX_X + Substeps.AXIS * axis];
         for (int i = from; i < end; i++) {
             int b = SmallState.BODY * i + axis;
             float radius = body[SmallState.BODY * i + SmallState.RADIUS];
@@ -146,7 +146,7 @@ final class Integrate {
         } else if (come == 0) {
             float ux = state.kicked[2 * i];
             float uy = state.kicked[2 * i + 1];
-            float before = speed - sign * (state.kicked[2 * i + axis] + n[Substeps.GAIN_X + axis]);
+            float before = speed - sign * (state.kicked[2 * i + axis] + n[Substeps.GAIN_X + Substeps.AXIS * axis]);
             if (before < -n[Substeps.BOUNCE_FROM] && !(last < 0 && (ux != 0 || uy != 0))) {
                 bounced = true;
                 float bounce = -(speed + n[Substeps.RESTITUTION] * before) / w;
@@ -170,9 +170,9 @@ final class Integrate {
         float[] body = state.body;
         float[] kicked = state.kicked;
         float gainX = n[Substeps.GAIN_X];
-        float gainY = n[Substeps.GAIN_Y];
+        float gainY = n[Substeps.GAIN_X + Substeps.AXIS];
         float mostX = n[Substeps.SPEED_X];
-        float mostY = n[Substeps.SPEED_Y];
+        float mostY = n[Substeps.SPEED_X + Substeps.AXIS];
         float slower = n[Substeps.SLOWED];
         for (int i = from; i < end; i++) {
             int b = SmallState.BODY * i;

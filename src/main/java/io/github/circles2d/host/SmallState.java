@@ -93,7 +93,7 @@ final class SmallState {
 
     /** The finest row of a circle. */
     int row(int i) {
-        return levels.row(body[BODY * i + Y], number(Substeps.MIN_Y));
+        return levels.row(body[BODY * i + Y], number(Substeps.MIN_X + Substeps.AXIS));
     }
 
     float number(int which) {

@@ -44,8 +44,7 @@ final class Heap {
     static final int TILE_START = 14;
     private static final int SOLVES = 15;
     private static final int LIVE = 16;
-    private static final int RULE = 17;
-    private static final int PARTS = 18;
+    private static final int PARTS = 17;
 
     /** What kernels count places in the heap in, bytes. */
     private static final int UNIT = 32;
@@ -67,6 +66,11 @@ final class Heap {
     private int[] levelsAt = {0};
 
     private int[] tilingsAt = {0};
+
+    /** Those of a substep, as bits, and how often they have changed. */
+    private final int[] numbers = new int[Substeps.NUMBERS];
+
+    private int version;
 
     Heap(Session session) {
         this.session = session;
@@ -90,7 +94,6 @@ final class Heap {
         want(wanted, WALLS, 16L * room);
         want(wanted, KICKED, 8L * room);
         want(wanted, FROM, 4L * room);
-        want(wanted, RULE, 4L * Substeps.NUMBERS);
         long levelBytes = 0;
         long tilingBytes = 0;
         for (Levels cells : levels) {
@@ -230,9 +233,25 @@ final class Heap {
         return begins;
     }
 
-    /** Writes the numbers of a substep. Allocates nothing. */
-    void writeRule(Pointer numbers) {
-        buffer.write(at[index(0, RULE)], numbers, 4L * Substeps.NUMBERS);
+    /**
+     * Sets the numbers of a substep, for every {@link #world}. Allocates nothing.
+     *
+     * @param ratio of its time to that of those before
+     */
+    void numbers(Substeps substeps, float ratio) {
+        for (int k = 0; k < numbers.length; k++) {
+            numbers[k] = Float.floatToRawIntBits(k == Substeps.RESCALE ? ratio : substeps.numbers()[k]);
+        }
+        version++;
+    }
+
+    /** Copies them. */
+    void numbers(int[] to, int from) {
+        System.arraycopy(numbers, 0, to, from, numbers.length);
+    }
+
+    int version() {
+        return version;
     }
 
     /** Where a part begins, in units. */
@@ -251,6 +270,6 @@ final class Heap {
         world[index(0, TILINGS)] += tilingsAt[levels];
         world[bytes.length] = state.circles;
         world[bytes.length + 1] = capacity;
-        return new Object[] {buffer, state.status, world};
+        return new Object[] {buffer, state.status, new WorldArgument(this, world)};
     }
 }

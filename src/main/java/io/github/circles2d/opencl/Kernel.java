@@ -32,6 +32,11 @@ final class Kernel implements AutoCloseable {
 
     private float second;
     private boolean current;
+    /** The world among the arguments, or null; where it is, and which version of it was set. */
+    private WorldArgument world;
+
+    private int worldAt;
+    private int worldVersion;
 
     Kernel(Session session, Program program, String name) {
         this.session = session;
@@ -59,7 +64,7 @@ final class Kernel implements AutoCloseable {
 
     /**
      * Sets every argument, in order: {@link DeviceBuffer}, {@link Local}, {@code Integer}, {@code Long}, {@code Float},
-     * {@code float[]} (a vector), {@code int[]} (a struct of ints), {@code Object[]} (several arguments).
+     * {@code float[]} (a vector), {@link WorldArgument}, {@code Object[]} (several arguments).
      */
     Kernel arguments(Object... values) {
         set = set(0, values);
@@ -122,14 +127,21 @@ final class Kernel implements AutoCloseable {
                 set(i, Sizeof.cl_float, Pointer.to(new float[] {number}));
             } else if (value instanceof float[] vector) {
                 set(i, (long) Sizeof.cl_float * vector.length, Pointer.to(vector));
-            } else if (value instanceof int[] struct) {
-                set(i, (long) Sizeof.cl_int * struct.length, Pointer.to(struct));
+            } else if (value instanceof WorldArgument argument) {
+                world = argument;
+                worldAt = i;
+                setWorld();
             } else {
                 throw new IllegalArgumentException("argument " + i + " of " + name + " = " + value);
             }
             i++;
         }
         return i;
+    }
+
+    private void setWorld() {
+        set(worldAt, world.bytes(), world.pointer());
+        worldVersion = world.version();
     }
 
     private void set(int index, long size, Pointer value) {
@@ -174,6 +186,9 @@ final class Kernel implements AutoCloseable {
     }
 
     private void launchItems(long count) {
+        if (world != null && worldVersion != world.version()) {
+            setWorld();
+        }
         for (offset[0] = 0; offset[0] < count; offset[0] += itemsPerLaunch) {
             global[0] = Math.min(itemsPerLaunch, count - offset[0]);
             int status = session.api.enqueueNDRangeKernel(session.queue, kernel, offset, global, local);

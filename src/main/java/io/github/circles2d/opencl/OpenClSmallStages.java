@@ -10,12 +10,9 @@ import io.github.circles2d.pipeline.Substeps;
 import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.stream.Stream;
-import org.jocl.Pointer;
 
 /** The stages of one world of small steps on an OpenCL device. Calls queue up, in order. */
 final class OpenClSmallStages implements SmallStages {
@@ -27,8 +24,6 @@ final class OpenClSmallStages implements SmallStages {
     /** By levels and turn; those of the first levels, and of others once they are needed. */
     private SmallKernels[] kernels;
 
-    private final FloatBuffer numbers;
-    private final Pointer toNumbers;
     private final int group;
     private Boolean wide;
     private Program program;
@@ -59,10 +54,6 @@ final class OpenClSmallStages implements SmallStages {
     OpenClSmallStages(OpenClDevice device, WorldConfig config) {
         this.config = config;
         group = device.group(config);
-        numbers = ByteBuffer.allocateDirect(4 * Substeps.NUMBERS)
-                .order(ByteOrder.nativeOrder())
-                .asFloatBuffer();
-        toNumbers = Pointer.to(numbers);
         session = new Session(device);
         try {
             state = new State(session);
@@ -170,8 +161,7 @@ final class OpenClSmallStages implements SmallStages {
             return;
         }
         substeps = now;
-        numbers.put(0, now.numbers()).put(Substeps.RESCALE, ratio);
-        heap.writeRule(toNumbers);
+        heap.numbers(now, ratio);
         if (ratio != 1) {
             bound(lastTurn()).solve.rescale();
         }
@@ -207,7 +197,8 @@ final class OpenClSmallStages implements SmallStages {
         if (now.bound) {
             return now;
         }
-        SmallWorld world = new SmallWorld(config, state, heap, turn, used, levels[used], tiles[used], session.device);
+        SmallWorld world = new SmallWorld(
+                config, state, heap, turn, heap.world(turn, used, state), levels[used], tiles[used], session.device);
         if (world.alone() && now.alone == null) {
             aloneProgram = aloneProgram == null ? SmallKernels.alone(session, config) : aloneProgram;
             now.alone = new Alone(session, aloneProgram);

@@ -9,22 +9,17 @@ import io.github.circles2d.pipeline.WorldConfig;
  * What the stages of small steps bind their kernels to.
  *
  * @param turn which of the two of each part of the heap the detection writes
- * @param which the number of the levels
+ * @param known what every kernel begins with: {@link Heap#world}
  */
 record SmallWorld(
         WorldConfig config,
         State state,
         Heap heap,
         int turn,
-        int which,
+        Object[] known,
         Levels levels,
         Tiles tiles,
         OpenClDevice device) {
-
-    /** What every kernel begins with. */
-    Object[] known() {
-        return heap.world(turn, which, state);
-    }
 
     /** Work-items of a group. */
     int group() {

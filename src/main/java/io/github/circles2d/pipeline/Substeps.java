@@ -2,37 +2,35 @@ package io.github.circles2d.pipeline;
 
 /**
  * How a step of {@link io.github.circles2d.Solver#SMALL_STEPS} is cut, and every number that its kernels need. Computed
- * once, here, so that each device starts from the same bits; {@link #numbers} is the buffer {@code rule} of the kernels.
+ * once, here, so that each device starts from the same bits.
  *
  * @param count substeps of a step
  * @param seconds time of a substep
- * @param numbers what the kernels read, by the names in {@code kernels/numbers.cl}
+ * @param numbers what the kernels read, in the order of {@code c2d_numbers} of {@code kernels/numbers.cl}
  */
 public record Substeps(int count, float seconds, float[] numbers) {
     public static final int TIME = 0;
     public static final int PER_TIME = 1;
     public static final int BOUNCE_FROM = 2;
-    public static final int PUSH_MOST = 3;
-    public static final int SLOWED = 4;
-    public static final int GAIN_X = 5;
-    public static final int GAIN_Y = 6;
-    public static final int RESCALE = 7;
-    public static final int SPEED_X = 8;
-    public static final int SPEED_Y = 9;
-    public static final int MIN_X = 10;
-    public static final int MIN_Y = 11;
-    public static final int MAX_X = 12;
-    public static final int MAX_Y = 13;
-    public static final int RESTITUTION = 14;
-    public static final int PUSH = 15;
-    public static final int SLOP = 16;
-    public static final int DEEP = 17;
-    public static final int EXTRAPOLATE = 18;
-    public static final int EXTRAPOLATE_UNEVEN = 19;
-    public static final int UNEVEN = 20;
-    public static final int IMPULSE_MOST = 21;
-    public static final int ALWAYS_NEAR = 22;
-    public static final int TURN = 23;
+    public static final int RESTITUTION = 3;
+    public static final int PUSH = 4;
+    public static final int PUSH_MOST = 5;
+    public static final int SLOP = 6;
+    public static final int DEEP = 7;
+    public static final int EXTRAPOLATE = 8;
+    public static final int EXTRAPOLATE_UNEVEN = 9;
+    public static final int UNEVEN = 10;
+    public static final int IMPULSE_MOST = 11;
+    public static final int TURN = 12;
+    public static final int SLOWED = 13;
+    public static final int ALWAYS_NEAR = 14;
+    public static final int RESCALE = 15;
+    public static final int GAIN_X = 16;
+    public static final int SPEED_X = 17;
+    public static final int MIN_X = 18;
+    public static final int MAX_X = 19;
+    /** How much farther on the same number of the other axis is. */
+    public static final int AXIS = 4;
 
     /** How many numbers there are. */
     public static final int NUMBERS = 24;
@@ -47,14 +45,14 @@ public record Substeps(int count, float seconds, float[] numbers) {
         n[PUSH_MOST] = Tuning.PUSH_MOST;
         n[SLOWED] = Math.max(0, 1 - Tuning.DRAG * time);
         n[GAIN_X] = config.gravityX() * time;
-        n[GAIN_Y] = config.gravityY() * time;
+        n[GAIN_X + AXIS] = config.gravityY() * time;
         n[RESCALE] = 1;
         n[SPEED_X] = (config.maxX() - config.minX()) / config.timeStep();
-        n[SPEED_Y] = (config.maxY() - config.minY()) / config.timeStep();
+        n[SPEED_X + AXIS] = (config.maxY() - config.minY()) / config.timeStep();
         n[MIN_X] = config.minX();
-        n[MIN_Y] = config.minY();
+        n[MIN_X + AXIS] = config.minY();
         n[MAX_X] = config.maxX();
-        n[MAX_Y] = config.maxY();
+        n[MAX_X + AXIS] = config.maxY();
         n[RESTITUTION] = config.restitution();
         n[PUSH] = Tuning.PUSH;
         n[SLOP] = Tuning.SLOP;

@@ -95,7 +95,7 @@ public final class Tuning {
     public static final int GPU_FIRST_TILE_GROUP = 256;
 
     /** Registers of a work-item that solves, where a compiler can be told. 40 to 128. */
-    public static final int GPU_SOLVE_REGISTERS = 64;
+    public static final int GPU_SOLVE_REGISTERS = 56;
 
     /** Both on a CPU. */
     public static final int CPU_TILE_GROUP = 1;
@@ -258,7 +258,7 @@ public final class Tuning {
     public static final int MORE_TILES = 8;
 
     /** Circles up to which a tile is solved in the local memory of a work-group. 16 to 900: 36 bytes each, of at least 32 KiB. */
-    public static final int TILE_CIRCLES = 540;
+    public static final int TILE_CIRCLES = 640;
 
     /**
      * Contacts up to which a tile of the first tiling is coloured in local memory, on a GPU. 16 to 2,000: 12 bytes each and 8 for each of
