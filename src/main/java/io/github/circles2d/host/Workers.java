@@ -53,7 +53,12 @@ final class Workers {
 
         void wake() {
             if (queued.compareAndSet(false, true)) {
-                ForkJoinPool.commonPool().execute(this);
+                try {
+                    ForkJoinPool.commonPool().execute(this);
+                } catch (RuntimeException | Error e) {
+                    queued.set(false);
+                    throw e;
+                }
             }
         }
     }

@@ -351,6 +351,62 @@ class FaultTest {
         assertEquals(List.of("a step failed, and the world was closed"), log.take());
     }
 
+    /** Circles that touch and rest, whose list is kept from the second step on; then one more, in another. */
+    private Circles2D addToAListThatIsKept(Circles2D world) {
+        for (int i = 0; i < 20; i++) {
+            world.addCircle(0.1f + 0.04f * i, 0.5f, 0.02f, 1);
+        }
+        world.step(2);
+        world.snapshot();
+        int listed = faulty.launches("c2d_find_count");
+        world.step(3);
+        world.snapshot();
+        assertEquals(listed, faulty.launches("c2d_find_count"), "is kept");
+        world.addCircle(0.3f, 0.51f, 0.02f, 1);
+        return world;
+    }
+
+    @Test
+    void anUploadThatFailsIsDoneAgainAndNothingOfTheListBeforeIsKept() {
+        Circles2D.Builder resting =
+                Internals.builder(0, 0, 0).device(device).substeps(2).gravity(0, 0);
+        faulty.behave();
+        long expected;
+        List<String> calls;
+        try (Circles2D world = addToAListThatIsKept(resting.build())) {
+            int listed = faulty.launches("c2d_find_count");
+            faulty.behave();
+            world.step();
+            calls = faulty.calls();
+            assertTrue(faulty.launches("c2d_find_count") > listed, "the new circle is listed");
+            expected = world.stateHash();
+        }
+        int again = 0;
+        for (int k = 0; k < calls.size(); k++) {
+            faulty.behave();
+            try (Circles2D world = addToAListThatIsKept(resting.build())) {
+                faulty.fail(k, STATUSES.get(k % STATUSES.size()), false);
+                if (throwsOnce(world) && throwsOnce(world)) {
+                    continue;
+                }
+                again++;
+                assertEquals(expected, world.stateHash(), calls.get(k) + " " + k);
+            }
+        }
+        assertTrue(again > 3, again + " of " + calls.size() + " faults are before a step begins");
+        log.take();
+        assertNothingLeft("after uploads that failed");
+    }
+
+    private static boolean throwsOnce(Circles2D world) {
+        try {
+            world.step();
+            return false;
+        } catch (Circles2DException e) {
+            return true;
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(strings = {"createBuffer", "enqueueMapBuffer"})
     void withoutPinnedMemoryCirclesComeBackAllTheSame(String call) {
