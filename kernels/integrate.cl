@@ -14,14 +14,19 @@ static c2d_axis c2d_small_kick(c2d_axis a, c2d_along along, float slowed) {
 static float8 c2d_integrated(float8 b, int i, bool move, bool kick, C2D_CIRCLES) {
     c2d_axis x = {b.s0, b.s2, b.s4};
     c2d_axis y = {b.s1, b.s3, b.s5};
-    if (move) {
+    // most circles are near no wall: they read nothing of walls, nor what kicked them
+    if (move && (c2d_near_walls(x, numbers.x, b.s6, numbers) || c2d_near_walls(y, numbers.y, b.s6, numbers))) {
         // one after the other: compilers take their time over what they unroll; after two turns each is where it was
 #pragma unroll 1
         for (int axis = 0; axis < 2; axis++) {
-            const c2d_axis moved = c2d_small_move(x, axis, b.s6, b.s7, i, id, kicked, walls, numbers);
+            const c2d_axis pushed = c2d_small_walls(x, axis, b.s6, b.s7, i, id, kicked, walls, numbers);
             x = y;
-            y = moved;
+            y = pushed;
         }
+    }
+    if (move) {
+        x = c2d_small_move(x, numbers.x, b.s6, numbers);
+        y = c2d_small_move(y, numbers.y, b.s6, numbers);
     }
     if (kick) {
         const float slowed = x.kick != 0.0f || y.kick != 0.0f ? numbers.slowed : 1.0f;

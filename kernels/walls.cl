@@ -51,44 +51,54 @@ static c2d_axis c2d_small_wall(c2d_axis a, float sign, float gap, float radius, 
     __global const int *id, __global float2 *kicked, __global float2 *walls, const c2d_numbers numbers
 #define C2D_CIRCLES_HERE C2D_ID, C2D_KICKED, C2D_WALLS, world.numbers
 
-// Both walls of an axis, those of circle i; gaps are those before either moves the circle. Then the way of the substep.
-static c2d_axis c2d_small_move(c2d_axis a, int axis, float radius, float w, int i, C2D_CIRCLES) {
+// Whether a wall of an axis is near.
+static bool c2d_near_walls(c2d_axis a, c2d_along along, float radius, c2d_numbers n) {
+    return c2d_near_wall(a, 1.0f, a.position - along.min - radius, radius, n) ||
+           c2d_near_wall(a, -1.0f, along.max - a.position - radius, radius, n);
+}
+
+// Both walls of an axis, those of circle i; gaps are those before either moves the circle.
+static c2d_axis c2d_small_walls(c2d_axis a, int axis, float radius, float w, int i, C2D_CIRCLES) {
     const c2d_along along = axis == 0 ? numbers.x : numbers.y;
+    if (!c2d_near_walls(a, along, radius, numbers)) {
+        return a;
+    }
     const float low = a.position - along.min - radius;
     const float high = along.max - a.position - radius;
-    // most circles are near none: they read nothing of walls, nor what kicked them
-    if (c2d_near_wall(a, 1.0f, low, radius, numbers) || c2d_near_wall(a, -1.0f, high, radius, numbers)) {
-        const float2 u = kicked[i];
-        const bool carried = u.x != 0.0f || u.y != 0.0f;
-        __global float2 *own = walls + 2 * id[i] + axis;
-        const float2 was = *own;
-        float2 memoryLow = (float2)(0.0f, 0.0f);
-        float2 memoryHigh = memoryLow;
-        // one after the other: compilers take their time over what they unroll
+    const float2 u = kicked[i];
+    const bool carried = u.x != 0.0f || u.y != 0.0f;
+    __global float2 *own = walls + 2 * id[i] + axis;
+    const float2 was = *own;
+    float2 memoryLow = (float2)(0.0f, 0.0f);
+    float2 memoryHigh = memoryLow;
+    // one after the other: compilers take their time over what they unroll
 #pragma unroll 1
-        for (int side = 0; side < 2; side++) {
-            const float sign = side == 0 ? 1.0f : -1.0f;
-            float2 memory = c2d_of_wall(was, sign);
-            a = c2d_small_wall(a, sign, side == 0 ? low : high, radius, w, axis == 0 ? u.x : u.y, carried, along.gain, &memory,
-                               numbers);
-            memoryLow = side == 0 ? memory : memoryLow;
-            memoryHigh = memory;
-        }
-        const float2 now = c2d_of_walls(memoryLow, memoryHigh);
-        if (now.x != was.x || now.y != was.y) {
-            *own = now;
-        }
+    for (int side = 0; side < 2; side++) {
+        const float sign = side == 0 ? 1.0f : -1.0f;
+        float2 memory = c2d_of_wall(was, sign);
+        a = c2d_small_wall(a, sign, side == 0 ? low : high, radius, w, axis == 0 ? u.x : u.y, carried, along.gain, &memory, numbers);
+        memoryLow = side == 0 ? memory : memoryLow;
+        memoryHigh = memory;
     }
+    const float2 now = c2d_of_walls(memoryLow, memoryHigh);
+    if (now.x != was.x || now.y != was.y) {
+        *own = now;
+    }
+    return a;
+}
+
+// The way of a substep along an axis.
+static c2d_axis c2d_small_move(c2d_axis a, c2d_along along, float radius, c2d_numbers n) {
     const float half_radius = 0.5f * radius;
     const float min = along.min + half_radius;
     const float max = along.max - half_radius;
-    a.position += numbers.time * a.velocity;
+    a.position += n.time * a.velocity;
     if (!(a.position >= min)) {
         a.position = min;
-        a.velocity = a.velocity < 0.0f ? -numbers.restitution * a.velocity : a.velocity;
+        a.velocity = a.velocity < 0.0f ? -n.restitution * a.velocity : a.velocity;
     } else if (a.position > max) {
         a.position = max;
-        a.velocity = a.velocity > 0.0f ? -numbers.restitution * a.velocity : a.velocity;
+        a.velocity = a.velocity > 0.0f ? -n.restitution * a.velocity : a.velocity;
     }
     return a;
 }
