@@ -103,11 +103,11 @@ final class StageBytes {
             case "c2d_batch_colour" -> (4 + 4 + 4 + 4 + 2) * k / colourings;
             // byTile, tint, batch, other, found; solved, memory, where; tileStart, solves of all tiles
             case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4 + 8 + 4) * k + 4 * parts + 32 * tiles;
-            // body read and written, kicked read and written, members; solved, memory read and written, as
+            // body read and written, kicked, members; solved, memory read and written, as
             // if all contacts were of this first tiling; what is left for the others is not known
-            case Launches.FIRST_TILING -> (64 + 16 + 4) * n + (4 + 16) * k;
-            // body read and written, kicked, id; centre, velocity: at the end of a step
-            case "c2d_integrate" -> (64 + 8 + 4 + 8 + 8) * n;
+            case Launches.FIRST_TILING -> (64 + 8 + 4) * n + (4 + 16) * k;
+            // body read and written, id; centre, velocity: at the end of a step
+            case "c2d_integrate" -> (64 + 4 + 8 + 8) * n;
             default -> 0;
         };
     }

@@ -1,18 +1,14 @@
 package io.github.circles2d.opencl;
 
-import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
-import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.FloatBuffer;
-import java.util.Arrays;
-import java.util.stream.Stream;
 
 /** The stages of one world of small steps on an OpenCL device. Calls queue up, in order. */
 final class OpenClSmallStages implements SmallStages {
@@ -20,25 +16,8 @@ final class OpenClSmallStages implements SmallStages {
     private final Session session;
     private final State state;
     private final Heap heap;
-    private final PairTables tables;
-    /** By levels and turn; those of the first levels, and of others once they are needed. */
-    private SmallKernels[] kernels;
-
-    private final int group;
-    private Boolean wide;
-    private Program program;
-    private final Program solving;
-    private Kernel load;
-    private Kernel restore;
-    /** The kernels for one work-group, once a world was so small. */
-    private Program aloneProgram;
-
+    private final BoundKernels kernels;
     private final Stats stats;
-    private Levels[] levels;
-    private Tiles[] tiles;
-    /** The number of the levels in use. */
-    private int used;
-
     private Substeps substeps;
     /** Detections queued, and those known to be done. */
     private long queued;
@@ -53,86 +32,34 @@ final class OpenClSmallStages implements SmallStages {
 
     OpenClSmallStages(OpenClDevice device, WorldConfig config) {
         this.config = config;
-        group = device.group(config);
         session = new Session(device);
         try {
             state = new State(session);
             heap = new Heap(session);
-            tables = config.strategy().pairwise() ? new PairTables(session, config) : null;
-            stats = new Stats(session, config, group, () -> SmallKernels.stats(session, config));
-            solving = SmallKernels.solving(session, config);
-            compile(false);
+            stats = new Stats(session, config, device.group(config), () -> SmallKernels.stats(session, config));
+            kernels = new BoundKernels(session, config, state, heap);
         } catch (RuntimeException e) {
             session.close();
             throw e;
         }
     }
 
-    /** Compiles the kernels for pair indices of 32 or 64 bits, unless they are so already. */
-    private void compile(boolean wanted) {
-        if (wide != null && wide == wanted) {
-            return;
-        }
-        Program old = program;
-        program = SmallKernels.program(session, config, wanted);
-        // kernels of the old program go with the session; a world crosses this line once
-        kernels = new SmallKernels[] {
-            new SmallKernels(session, program, solving, tables), new SmallKernels(session, program, solving, tables)
-        };
-        load = new Kernel(session, program, "c2d_load");
-        restore = new Kernel(session, program, "c2d_find_restore");
-        wide = wanted;
-        if (old != null) {
-            old.close();
-        }
-    }
-
     @Override
     public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] newLevels, Levels newUsed) {
-        int circles = newUsed.circles;
-        // only pairs have numbers
-        compile(config.strategy().pairwise() && IndexStrategies.wide(circles));
-        state.upload(circle, velocities, circles);
+        kernels.compile(newUsed.circles);
+        state.upload(circle, velocities, newUsed.circles);
         if (heap.ensureCircles(newLevels, circle.capacity() / 4)) {
-            unbind();
+            kernels.unbind();
         }
-        if (!same(newLevels)) {
-            // whoever tries again after a failure writes them again
-            levels = null;
-            unbind();
-            tiles = Stream.of(newLevels).map(Tiles::of).toArray(Tiles[]::new);
-            heap.write(newLevels, tiles);
-        }
-        levels = newLevels;
-        use(newUsed);
-        load.arguments(last(), state.circle, state.velocities, placed)
-                .range(circles, group)
-                .launch();
-        placed = circles;
-    }
-
-    private boolean same(Levels[] others) {
-        boolean same = levels != null && levels.length == others.length;
-        for (int k = 0; same && k < others.length; k++) {
-            same = levels[k].same(others[k]);
-        }
-        return same;
+        kernels.levels(newLevels);
+        kernels.use(newUsed);
+        kernels.load(lastTurn(), placed);
+        placed = newUsed.circles;
     }
 
     @Override
     public void use(Levels now) {
-        used = 0;
-        while (levels[used] != now) {
-            used++;
-        }
-    }
-
-    private void unbind() {
-        for (SmallKernels one : kernels) {
-            if (one != null) {
-                one.bound = false;
-            }
-        }
+        kernels.use(now);
     }
 
     /** Of the last detection. */
@@ -142,12 +69,7 @@ final class OpenClSmallStages implements SmallStages {
 
     /** The kernels of the last detection. */
     private SmallKernels now() {
-        return bound(lastTurn());
-    }
-
-    /** What kernels begin with that work on what the last detection has left. */
-    private Object[] last() {
-        return heap.world(lastTurn(), used, state);
+        return kernels.of(lastTurn());
     }
 
     @Override
@@ -163,13 +85,13 @@ final class OpenClSmallStages implements SmallStages {
         substeps = now;
         heap.numbers(now, ratio);
         if (ratio != 1) {
-            bound(lastTurn()).solve.rescale();
+            now().solve.rescale();
         }
     }
 
     @Override
     public void detect(float horizon, float slack) {
-        SmallKernels now = bound((int) (queued & 1));
+        SmallKernels now = kernels.of((int) (queued & 1));
         if (now.isAlone) {
             now.alone.grid();
             now.find.run(horizon, slack);
@@ -182,29 +104,6 @@ final class OpenClSmallStages implements SmallStages {
             now.batch.run(groups());
         }
         queued++;
-    }
-
-    /** The kernels of a turn. */
-    private SmallKernels bound(int turn) {
-        int index = 2 * used + turn;
-        if (index >= kernels.length) {
-            kernels = Arrays.copyOf(kernels, index + 1);
-        }
-        if (kernels[index] == null) {
-            kernels[index] = new SmallKernels(session, program, solving, tables);
-        }
-        SmallKernels now = kernels[index];
-        if (now.bound) {
-            return now;
-        }
-        SmallWorld world = new SmallWorld(
-                config, state, heap, turn, heap.world(turn, used, state), levels[used], tiles[used], session.device);
-        if (world.alone() && now.alone == null) {
-            aloneProgram = aloneProgram == null ? SmallKernels.alone(session, config) : aloneProgram;
-            now.alone = new Alone(session, aloneProgram);
-        }
-        now.bind(world);
-        return now;
     }
 
     @Override
@@ -264,18 +163,16 @@ final class OpenClSmallStages implements SmallStages {
 
     @Override
     public void makeRoom(long needed) {
-        restore.arguments(heap.world((int) (done & 1), used, state))
-                .range(state.circles, group)
-                .launch();
+        kernels.restore((int) (done & 1));
         heap.ensureContacts(Math.max(needed, (long) Math.min(Heap.MOST_CONTACTS, needed * Tuning.GROWTH)));
         state.clearStatus();
-        unbind();
+        kernels.unbind();
         queued = done;
     }
 
     @Override
     public StepSums sums() {
-        return stats.ofLists(state, last());
+        return stats.ofLists(state, kernels.world(lastTurn()));
     }
 
     @Override

@@ -102,7 +102,7 @@ public final class SmallPipeline implements Stepper {
             stages.use(now);
         }
         float coming = coming();
-        float room = Math.min(substeps.skin(config, population, motion, now.reach), Tuning.SKIN_STEPS * coming);
+        float room = Math.min(substeps.skin(config, population, motion, now), Tuning.SKIN_STEPS * coming);
         skin = perDetection == substeps.count() && coming <= room ? room : -1;
     }
 

@@ -130,12 +130,10 @@ public record Substeps(int count, float seconds, float[] numbers) {
      * How far each circle may go for the contacts that a step begins with to be good for the next step too, world units: {@link
      * Tuning#SKIN}, or less where cells are not wide enough for more. Lists of neighbours with a skin are Verlet's, Physical Review
      * 159, 1967. Two circles on none of the lists are twice that farther apart than those of a step that lists its own.
-     *
-     * @param reach how far the reach of a circle goes beyond its radius, radii
      */
-    public float skin(WorldConfig config, Population population, Motion motion, float reach) {
+    public float skin(WorldConfig config, Population population, Motion motion, Levels levels) {
         float gravity = gravity(config) / population.minRadius();
-        float room = reach - 0.5f * nearer(config, gravity, 2 * motion.fastest(), config.timeStep());
+        float room = levels.reach - 0.5f * nearer(config, gravity, 2 * motion.fastest(), config.timeStep());
         return Math.min(Tuning.SKIN, room) * population.minRadius();
     }
 
