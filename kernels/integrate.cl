@@ -15,11 +15,11 @@ static float8 c2d_integrated(float8 b, int i, bool move, bool kick, C2D_CIRCLES)
     c2d_axis x = {b.s0, b.s2, b.s4};
     c2d_axis y = {b.s1, b.s3, b.s5};
     // most circles are near no wall: they read nothing of walls, nor what kicked them
-    if (move && (c2d_near_walls(x, numbers.x, b.s6, numbers) || c2d_near_walls(y, numbers.y, b.s6, numbers))) {
+    if (move && (c2d_near_either(x, numbers.x, b.s6, numbers) || c2d_near_either(y, numbers.y, b.s6, numbers))) {
         // one after the other: compilers take their time over what they unroll; after two turns each is where it was
 #pragma unroll 1
         for (int axis = 0; axis < 2; axis++) {
-            const c2d_axis pushed = c2d_small_walls(x, axis, b.s6, b.s7, i, id, kicked, walls, numbers);
+            const c2d_axis pushed = c2d_both_walls(x, axis, b.s6, b.s7, i, id, kicked, walls, numbers);
             x = y;
             y = pushed;
         }

@@ -1,5 +1,5 @@
-// The numbers of a substep, which every kernel has as arguments: where they come from, and their order, pipeline.Substeps. As arguments
-// a GPU takes them from where instructions find them, and not from registers.
+// The numbers of a substep, part of the argument `world` of every kernel of small steps. Where they come from, and their order:
+// pipeline.Substeps. GPUs keep arguments in constant memory, where instructions find them without a register.
 
 // Of an axis: what gravity adds to a velocity, the highest speed, and where the walls are.
 typedef struct {

@@ -1,8 +1,10 @@
 // The rule of one contact: Solver.SMALL_STEPS, where it is explained. Twin of host.Solve.visit.
 
-// Contact k of circle i, `a`, with circle j, `b`; `memory` is that of the contact. Whether it changed anything.
-static inline __attribute__((always_inline)) bool c2d_visit(float8 *circleA, float8 *circleB, float2 *memory, int i, int j, __global const int *id,
-                      __global const float2 *kicked, c2d_numbers n) {
+// A contact of circle i, `a`, with circle j, `b`; `memory` is that of the contact. Whether it changed anything. Always part of the
+// loop that calls it: PoCL else makes it a call, with all of this through memory.
+static inline __attribute__((always_inline)) bool c2d_visit(float8 *circleA, float8 *circleB, float2 *memory, int i, int j,
+                                                            __global const int *id, __global const float2 *kicked,
+                                                            c2d_numbers n) {
     const float8 a = *circleA;
     const float8 b = *circleB;
     const float dx = a.s0 - b.s0;

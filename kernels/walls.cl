@@ -51,16 +51,16 @@ static c2d_axis c2d_small_wall(c2d_axis a, float sign, float gap, float radius, 
     __global const int *id, __global float2 *kicked, __global float2 *walls, const c2d_numbers numbers
 #define C2D_CIRCLES_HERE C2D_ID, C2D_KICKED, C2D_WALLS, world.numbers
 
-// Whether a wall of an axis is near.
-static bool c2d_near_walls(c2d_axis a, c2d_along along, float radius, c2d_numbers n) {
+// Whether either wall of an axis is near.
+static bool c2d_near_either(c2d_axis a, c2d_along along, float radius, c2d_numbers n) {
     return c2d_near_wall(a, 1.0f, a.position - along.min - radius, radius, n) ||
            c2d_near_wall(a, -1.0f, along.max - a.position - radius, radius, n);
 }
 
 // Both walls of an axis, those of circle i; gaps are those before either moves the circle.
-static c2d_axis c2d_small_walls(c2d_axis a, int axis, float radius, float w, int i, C2D_CIRCLES) {
+static c2d_axis c2d_both_walls(c2d_axis a, int axis, float radius, float w, int i, C2D_CIRCLES) {
     const c2d_along along = axis == 0 ? numbers.x : numbers.y;
-    if (!c2d_near_walls(a, along, radius, numbers)) {
+    if (!c2d_near_either(a, along, radius, numbers)) {
         return a;
     }
     const float low = a.position - along.min - radius;

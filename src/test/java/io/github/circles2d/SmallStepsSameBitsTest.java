@@ -221,6 +221,28 @@ class SmallStepsSameBitsTest {
         }
     }
 
+    /** More circles in a tile than a work-group has local memory for. */
+    @Test
+    void tilesThatDoNotFitHaveTheSameBits() {
+        try (Circles2D host = builder(ComputeDevice.host()).oneTile(0).build();
+                Circles2D device = builder(openCl).oneTile(0).build()) {
+            SplittableRandom random = new SplittableRandom(11);
+            // a tile is some 36 radii wide; these lie in one, or a border parts them in two
+            for (int i = 0; i < 3 * Tuning.TILE_CIRCLES; i++) {
+                float x = 0.3f + 0.04f * (float) random.nextDouble();
+                float y = 0.3f + 0.04f * (float) random.nextDouble();
+                float radius = 0.004f + 0.001f * (float) random.nextDouble();
+                host.addCircle(x, y, radius, 1);
+                device.addCircle(x, y, radius, 1);
+            }
+            for (int step = 1; step <= 4; step++) {
+                host.step();
+                device.step();
+                assertEquals(host.stateHash(), device.stateHash(), "step " + step);
+            }
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {0, 310, Tuning.ALONE_CIRCLES})
     void whatIsRememberedSurvivesNewCirclesNewSpeedsAndOtherSubsteps(int oneTile) {

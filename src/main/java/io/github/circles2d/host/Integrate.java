@@ -57,7 +57,7 @@ final class Integrate {
         }
     }
 
-    /** {@code c2d_small_move}: both walls of an axis, last of the contacts of a pass; then the way of the substep. */
+    /** {@code c2d_both_walls}, last of the contacts of a pass, then {@code c2d_small_move}. */
     private void move(int from, int end, int axis) {
         float[] body = state.body;
         float time = n[Substeps.TIME];

@@ -3,6 +3,7 @@ package io.github.circles2d.host;
 import io.github.circles2d.pipeline.Tuning;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
@@ -55,9 +56,9 @@ final class Workers {
             if (queued.compareAndSet(false, true)) {
                 try {
                     ForkJoinPool.commonPool().execute(this);
-                } catch (RuntimeException | Error e) {
+                } catch (RejectedExecutionException e) {
+                    // then who calls does it all
                     queued.set(false);
-                    throw e;
                 }
             }
         }

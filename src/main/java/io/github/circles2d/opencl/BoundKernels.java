@@ -94,7 +94,7 @@ final class BoundKernels {
         }
     }
 
-    /** After the heap has moved. */
+    /** After the heap has moved, or other tables are in it. */
     void unbind() {
         for (SmallKernels one : kernels) {
             if (one != null) {

@@ -238,7 +238,7 @@ final class Heap {
      *
      * @param ratio of its time to that of those before
      */
-    void numbers(Substeps substeps, float ratio) {
+    void setNumbers(Substeps substeps, float ratio) {
         for (int k = 0; k < numbers.length; k++) {
             numbers[k] = Float.floatToRawIntBits(k == Substeps.RESCALE ? ratio : substeps.numbers()[k]);
         }
@@ -246,10 +246,11 @@ final class Heap {
     }
 
     /** Copies them. */
-    void numbers(int[] to, int from) {
+    void copyNumbers(int[] to, int from) {
         System.arraycopy(numbers, 0, to, from, numbers.length);
     }
 
+    /** What changes when the numbers do. */
     int version() {
         return version;
     }

@@ -6,8 +6,8 @@ import org.jocl.Sizeof;
 import org.jocl.cl_kernel;
 
 /**
- * One launch site: owns a {@code cl_kernel} whose arguments and range are set once, so that a launch costs one call and
- * allocates nothing.
+ * One launch site: owns a {@code cl_kernel} whose arguments and range are set once, so that a launch costs one call, or two where
+ * numbers in an argument have changed, and allocates nothing.
  */
 final class Kernel implements AutoCloseable {
     private final Session session;

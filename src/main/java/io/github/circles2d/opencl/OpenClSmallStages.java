@@ -83,7 +83,7 @@ final class OpenClSmallStages implements SmallStages {
             return;
         }
         substeps = now;
-        heap.numbers(now, ratio);
+        heap.setNumbers(now, ratio);
         if (ratio != 1) {
             now().solve.rescale();
         }

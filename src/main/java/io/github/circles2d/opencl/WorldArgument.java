@@ -15,11 +15,11 @@ final class WorldArgument {
 
     private final Pointer toWords;
 
-    /** @param before what comes before the numbers */
-    WorldArgument(Heap heap, int[] before) {
+    /** @param places what comes first in the struct, all but the numbers */
+    WorldArgument(Heap heap, int[] places) {
         this.heap = heap;
-        words = new int[before.length + Substeps.NUMBERS];
-        System.arraycopy(before, 0, words, 0, before.length);
+        words = new int[places.length + Substeps.NUMBERS];
+        System.arraycopy(places, 0, words, 0, places.length);
         toWords = Pointer.to(words);
     }
 
@@ -34,7 +34,7 @@ final class WorldArgument {
 
     /** To the struct with the numbers as they are now. Allocates nothing. */
     Pointer pointer() {
-        heap.numbers(words, words.length - Substeps.NUMBERS);
+        heap.copyNumbers(words, words.length - Substeps.NUMBERS);
         return toWords;
     }
 }

@@ -386,24 +386,29 @@ class FaultTest {
             faulty.behave();
             try (Circles2D world = addToAListThatIsKept(resting.build())) {
                 faulty.fail(k, STATUSES.get(k % STATUSES.size()), false);
-                if (throwsOnce(world) && throwsOnce(world)) {
+                Circles2DException first = failure(world);
+                Circles2DException second = first == null ? null : failure(world);
+                String fault = calls.get(k) + " " + k;
+                if (second != null) {
+                    assertSame(first, second.getCause(), fault + ": the world has failed");
                     continue;
                 }
-                again++;
-                assertEquals(expected, world.stateHash(), calls.get(k) + " " + k);
+                again += first == null ? 0 : 1;
+                assertEquals(expected, world.stateHash(), fault);
             }
         }
-        assertTrue(again > 3, again + " of " + calls.size() + " faults are before a step begins");
+        assertTrue(again > 3, again + " of " + calls.size() + " faults are before a step begins, and it is done again");
         log.take();
         assertNothingLeft("after uploads that failed");
     }
 
-    private static boolean throwsOnce(Circles2D world) {
+    /** What a step throws, or null. */
+    private static Circles2DException failure(Circles2D world) {
         try {
             world.step();
-            return false;
+            return null;
         } catch (Circles2DException e) {
-            return true;
+            return e;
         }
     }
 
