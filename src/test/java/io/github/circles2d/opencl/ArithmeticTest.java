@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.github.circles2d.TestDevices;
+import io.github.circles2d.pipeline.SmallSteps;
 import java.nio.FloatBuffer;
 import java.util.List;
 import java.util.Map;
@@ -32,7 +33,7 @@ class ArithmeticTest {
                     write(b, y);
                     result.ensure(4L * RESULTS * count);
                     kernel.arguments(a, b, result, count).range(count, 64).launch();
-                    FloatBuffer got = TwinState.direct(RESULTS * count);
+                    FloatBuffer got = SmallSteps.direct(RESULTS * count);
                     result.read(0, got, 4L * RESULTS * count);
                     float[] results = new float[RESULTS * count];
                     got.get(0, results);
@@ -52,7 +53,7 @@ class ArithmeticTest {
 
     private static void write(DeviceBuffer to, float[] values) {
         to.ensure(4L * values.length);
-        to.write(TwinState.direct(values.length).put(0, values), 4L * values.length);
+        to.write(SmallSteps.direct(values.length).put(0, values), 4L * values.length);
     }
 
     /** NaN is NaN, whatever its bits. */

@@ -1,8 +1,7 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.SmallSteps;
 import io.github.circles2d.pipeline.WorldConfig;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
 
@@ -18,8 +17,8 @@ final class TwinState {
     private TwinState(int count, float maxRadius) {
         this.count = count;
         this.maxRadius = maxRadius;
-        circle = direct(4 * count);
-        velocities = direct(2 * count);
+        circle = SmallSteps.direct(4 * count);
+        velocities = SmallSteps.direct(2 * count);
     }
 
     static TwinState random(WorldConfig config, int count, long seed) {
@@ -48,12 +47,6 @@ final class TwinState {
     /** Room for what is read back. */
     TwinState empty() {
         return new TwinState(count, maxRadius);
-    }
-
-    static FloatBuffer direct(int floats) {
-        return ByteBuffer.allocateDirect(4 * floats)
-                .order(ByteOrder.nativeOrder())
-                .asFloatBuffer();
     }
 
     /** Centre, radius, mass and velocity of each circle, as bits. */

@@ -6,8 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import io.github.circles2d.TestDevices;
 import io.github.circles2d.host.HostDevice;
 import java.lang.reflect.Proxy;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -40,16 +38,10 @@ class KeptListTest {
                         return method.invoke(real, arguments);
                     });
             pipeline = new SmallPipeline(config, stages);
-            circle = buffer(4 * columns * rows);
-            velocities = buffer(2 * columns * rows);
+            circle = SmallSteps.direct(4 * columns * rows);
+            velocities = SmallSteps.direct(2 * columns * rows);
             lay(columns, rows);
             pipeline.upload(Population.of(circle, columns * rows), velocities);
-        }
-
-        private static FloatBuffer buffer(int floats) {
-            return ByteBuffer.allocateDirect(4 * floats)
-                    .order(ByteOrder.nativeOrder())
-                    .asFloatBuffer();
         }
 
         /** A square lattice, a hundredth of a radius open, that drifts apart and together: with the skin, diagonals are within reach. */

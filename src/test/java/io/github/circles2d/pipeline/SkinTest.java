@@ -5,8 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.github.circles2d.host.HostSmallStages;
 import java.lang.reflect.Proxy;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -16,18 +14,12 @@ class SkinTest {
     private static final int CIRCLES = 400;
     private static final int SETTLED = 400;
 
-    private final FloatBuffer circle = buffer(4 * (CIRCLES + 1));
-    private final FloatBuffer velocities = buffer(2 * (CIRCLES + 1));
+    private final FloatBuffer circle = SmallSteps.direct(4 * (CIRCLES + 1));
+    private final FloatBuffer velocities = SmallSteps.direct(2 * (CIRCLES + 1));
     private SmallStages stages;
     private SmallPipeline pipeline;
     private int circles = CIRCLES;
     private int detections;
-
-    private static FloatBuffer buffer(int floats) {
-        return ByteBuffer.allocateDirect(4 * floats)
-                .order(ByteOrder.nativeOrder())
-                .asFloatBuffer();
-    }
 
     private void start(float gravity) {
         WorldConfig config = SmallSteps.box(1, Tuning.ALONE_CIRCLES, gravity);

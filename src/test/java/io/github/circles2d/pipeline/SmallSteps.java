@@ -3,6 +3,9 @@ package io.github.circles2d.pipeline;
 import io.github.circles2d.CollisionStore;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Solver;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
 
 /** What tests of the insides of {@link Solver#SMALL_STEPS} build their worlds from. */
 public final class SmallSteps {
@@ -37,5 +40,12 @@ public final class SmallSteps {
                 0,
                 oneTile,
                 8);
+    }
+
+    /** Memory for so many floats as stages take it: direct, native order. */
+    public static FloatBuffer direct(int floats) {
+        return ByteBuffer.allocateDirect(4 * floats)
+                .order(ByteOrder.nativeOrder())
+                .asFloatBuffer();
     }
 }
