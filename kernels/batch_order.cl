@@ -1,7 +1,8 @@
 // Of stage batch: puts the contacts of each tile in the order of their colours, in which they are solved. Twin of host.Batch.
 
 // Whether a tile fits into the local memory of a work-group. Its `solved` are then the turns of two circles in the tile, in one
-// int; else they are the contacts.
+// int; else they are the places of the one in whose list a contact is, and those of the others are `second`.
+#define C2D_SECOND C2D_BY_TILE
 #define C2D_TURN_BITS 15
 #define C2D_REMEMBERED C2D_AT(const float2, found)
 
@@ -13,7 +14,7 @@ static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
 // A tile's contacts by colour, with what is `remembered` of them, by one work-group. `counts`: of so many colours, then how many
 // contacts are in order, then the lowest colour that comes later. `turn`: that of each circle in a tile that `fits`, or null where
 // it is the place.
-static void c2d_batch_order_tile(int tile, __global const int *other, __global const int *byTile,
+static void c2d_batch_order_tile(int tile, __global const int *other, __global int *byTile,
                                  __global const ushort *tint, int capacity, __global int *batch,
                                  __global const float2 *remembered, __global float2 *memory, __global int *where,
                                  __global const int *tileStart, __global int8 *solves, int2 own, bool stalled, bool fits,
@@ -76,7 +77,12 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global c
         }
         done = *sorted;
         lowest = *later;
-        barrier(CLK_LOCAL_MEM_FENCE);
+        barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    }
+    for (int e = first + item; e < (fits ? first : end); e += items) {
+        const int k = solved[e];
+        solved[e] = batch[k];
+        byTile[e] = other[k];
     }
     if (item == 0) {
         *solves = (int8)(first, end, own.x, own.y, colours, fits, 0, 0);

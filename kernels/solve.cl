@@ -2,9 +2,9 @@
 // Solver.SMALL_STEPS. Twin of host.Solve.
 
 #define C2D_SOLVE                                                                                                      \
-    __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int *other, int capacity,                \
+    __global float8 *body, C2D_CIRCLES, __global float2 *memory, __global const int *second, int capacity,               \
         __global const int *batch
-#define C2D_SOLVE_HERE C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_OTHER, world.capacity, C2D_BATCH
+#define C2D_SOLVE_HERE C2D_BODY, C2D_CIRCLES_HERE, C2D_MEMORY, C2D_SECOND, world.capacity, C2D_BATCH
 
 // The contacts of a tile, from `first` to `end`, a colour at a time, by one work-group. On a GPU, a work-item reads which its next
 // contact is, and what is remembered of it, before it solves this one: nobody else changes that.
@@ -16,7 +16,7 @@ static void c2d_solve_tile(int first, int end, int colours, C2D_SOLVE) {
     int2 nextPair = (int2)(0, 0);
     float2 nextMemory = (float2)(0.0f, 0.0f);
     if (C2D_GPU && colours > 0 && first + item < end) {
-        nextPair = (int2)(batch[solved[first + item]], other[solved[first + item]]);
+        nextPair = (int2)(solved[first + item], second[first + item]);
         nextMemory = memory[first + item];
     }
     int stop = colours > 1 ? colourStart[1] : end;
@@ -25,11 +25,11 @@ static void c2d_solve_tile(int first, int end, int colours, C2D_SOLVE) {
         for (; from < stop; from += items) {
             const int e = from + item;
             const bool own = e < stop;
-            const int2 pair = C2D_GPU || !own ? nextPair : (int2)(batch[solved[e]], other[solved[e]]);
+            const int2 pair = C2D_GPU || !own ? nextPair : (int2)(solved[e], second[e]);
             float2 remembered = C2D_GPU || !own ? nextMemory : memory[e];
             const int next = min(from + items, stop) + item;
             if (C2D_GPU && next < nextStop) {
-                nextPair = (int2)(batch[solved[next]], other[solved[next]]);
+                nextPair = (int2)(solved[next], second[next]);
                 nextMemory = memory[next];
             }
             if (own) {
