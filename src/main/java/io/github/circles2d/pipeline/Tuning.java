@@ -264,7 +264,7 @@ public final class Tuning {
      * Contacts up to which a tile of the first tiling is coloured in local memory, on a GPU. 16 to 2,000: 12 bytes each and 8 for each of
      * its circles, of which there is room for the power of two up to these contacts.
      */
-    public static final int TILE_CONTACTS = 1400;
+    public static final int TILE_CONTACTS = 1700;
 
     /** Contacts up to which a tile of another tiling is coloured there. 16 to 1,400; there is room for more circles than that. */
     public static final int OTHER_TILE_CONTACTS = 400;
