@@ -149,15 +149,19 @@ static void c2d_solve_any(int8 tile, int begins, C2D_WORLD, __local float8 *bodi
     }
 }
 
-// A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share.
-__kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, __local float8 *bodies, __local int *places) {
+// A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share. Its tiles come `backwards` in every
+// other substep: what was touched last is still in the cache then.
+__kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, int backwards, __local float8 *bodies,
+                        __local int *places) {
     const int group = (int)get_group_id(0);
     if (begins == C2D_KICK) {
         c2d_publish_clear(status);
     }
 #if C2D_GPU
-    for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
-        c2d_solve_any(C2D_SOLVES[firstTile + turn], begins, heap, status, world, bodies, places);
+    const int tiles = C2D_LIVE[tiling];
+    for (int turn = group; turn < tiles; turn += (int)get_num_groups(0)) {
+        const int tile = firstTile + (backwards ? tiles - 1 - turn : turn);
+        c2d_solve_any(C2D_SOLVES[tile], begins, heap, status, world, bodies, places);
         barrier(CLK_LOCAL_MEM_FENCE);
     }
 #else

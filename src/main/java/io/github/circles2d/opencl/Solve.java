@@ -15,10 +15,11 @@ final class Solve {
 
     private final Session session;
     private final Program program;
-    /** The first tiling, where a substep comes before and where none does; the others. */
-    private final Kernel moveAndFirst;
-
+    /** The first tiling, where no substep comes before; where one does, by turns there and back; the others. */
     private final Kernel kickAndFirst;
+
+    private final Kernel moveAndFirst;
+    private final Kernel moveAndFirstBack;
     private final List<Kernel> others = new ArrayList<>();
     private final Kernel rescale;
     private int count;
@@ -26,25 +27,27 @@ final class Solve {
     Solve(Session session, Program program) {
         this.session = session;
         this.program = program;
-        moveAndFirst = new Kernel(session, program, "c2d_solve");
         kickAndFirst = new Kernel(session, program, "c2d_solve");
+        moveAndFirst = new Kernel(session, program, "c2d_solve");
+        moveAndFirstBack = new Kernel(session, program, "c2d_solve");
         rescale = new Kernel(session, program, "c2d_rescale");
     }
 
     void bind(SmallWorld world) {
-        bind(moveAndFirst, world, 0, MOVE_AND_KICK);
-        bind(kickAndFirst, world, 0, KICK);
+        bind(kickAndFirst, world, 0, KICK, false);
+        bind(moveAndFirst, world, 0, MOVE_AND_KICK, false);
+        bind(moveAndFirstBack, world, 0, MOVE_AND_KICK, true);
         rescale.arguments(world.known()).range(Math.max(1, world.circles()), world.group());
         count = world.tiles().tilings - 1;
         for (int k = 0; k < count; k++) {
             if (k == others.size()) {
                 others.add(new Kernel(session, program, "c2d_solve"));
             }
-            bind(others.get(k), world, k + 1, NOTHING);
+            bind(others.get(k), world, k + 1, NOTHING, false);
         }
     }
 
-    private static void bind(Kernel kernel, SmallWorld world, int tiling, int begins) {
+    private static void bind(Kernel kernel, SmallWorld world, int tiling, int begins, boolean backwards) {
         Tiles tiles = world.tiles();
         boolean local = begins != NOTHING;
         int circles = local ? Tuning.TILE_CIRCLES : 1;
@@ -53,6 +56,7 @@ final class Solve {
                         tiling,
                         tiles.first(tiling),
                         begins,
+                        backwards ? 1 : 0,
                         new Kernel.Local(32L * circles),
                         new Kernel.Local(4L * circles))
                 .groups(tiles.count(tiling), local ? world.firstTileGroup() : world.tileGroup());
@@ -70,7 +74,8 @@ final class Solve {
      */
     void run(int substeps, int groups) {
         for (int substep = 0; substep < substeps; substep++) {
-            (substep > 0 ? moveAndFirst : kickAndFirst).launch(groups);
+            Kernel move = substep % 2 == 0 ? moveAndFirst : moveAndFirstBack;
+            (substep == 0 ? kickAndFirst : move).launch(groups);
             for (int k = 0; k < count; k++) {
                 others.get(k).launch(groups);
             }
