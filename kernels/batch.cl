@@ -4,8 +4,9 @@
 // Here contacts, and circles, go to their tiles; batch_colour.cl and batch_order.cl do the rest.
 //
 // `batch` has three parts of `capacity` ints. By contact: its circle `owner`, in whose list it is; which of its part of its
-// tile it was counted as, and after that its code; that part. Then, in the order of solving: `solved`, of each contact its circles;
-// and, from the first contact of a tile on, where its colours begin. `tileStart`: the first contact of each part of each tile.
+// tile it was counted as, and after that its code; that part. Then, in the order of solving: `solved`, of each contact its circles,
+// both or one of them (batch_order.cl); and, from the first contact of a tile on, where its colours begin. `tileStart`: the first
+// contact of each part of each tile.
 
 #define C2D_SIDE s1
 #define C2D_COLUMNS s2

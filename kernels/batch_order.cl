@@ -1,7 +1,8 @@
 // Of stage batch: puts the contacts of each tile in the order of their colours, in which they are solved. Twin of host.Batch.
 
 // Whether a tile fits into the local memory of a work-group. Its `solved` are then the turns of two circles in the tile, in one
-// int; else they are the places of the one in whose list a contact is, and those of the others are `second`.
+// int; else they are the places of the circles in whose lists the contacts are, and `second`, which takes the place of `byTile`, has
+// those of the other ones.
 #define C2D_SECOND C2D_BY_TILE
 #define C2D_TURN_BITS 15
 #define C2D_REMEMBERED C2D_AT(const float2, found)
