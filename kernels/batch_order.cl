@@ -66,12 +66,13 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global i
             const int colour = (int)tint[k] - lowest;
             if (colour >= 0 && colour < C2D_COLOURS) {
                 const int to = atomic_inc(&counts[colour]);
-                solved[to] = k;
+                int pair = k;
                 if (fits) {
                     const int i = batch[k];
                     const int j = other[k];
-                    solved[to] = turn == 0 ? i | j << C2D_TURN_BITS : turn[i] | turn[j] << C2D_TURN_BITS;
+                    pair = turn == 0 ? i | j << C2D_TURN_BITS : turn[i] | turn[j] << C2D_TURN_BITS;
                 }
+                solved[to] = pair;
                 memory[to] = remembered[k];
                 where[k] = to;
             }
@@ -80,6 +81,7 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global i
         lowest = *later;
         barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     }
+    // only now does nobody need `byTile` any longer
     for (int e = first + item; e < (fits ? first : end); e += items) {
         const int k = solved[e];
         solved[e] = batch[k];

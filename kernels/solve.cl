@@ -149,8 +149,8 @@ static void c2d_solve_any(int8 tile, int begins, C2D_WORLD, __local float8 *bodi
     }
 }
 
-// A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share. Its tiles come `backwards` in every
-// other substep: what was touched last is still in the cache then.
+// A tiling, work-groups as for batch_local.cl. The first one begins with the circles' own share. On a GPU its tiles come `backwards` in
+// every other substep: what was touched last is still in the cache then.
 __kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, int backwards, __local float8 *bodies,
                         __local int *places) {
     const int group = (int)get_group_id(0);

@@ -100,9 +100,9 @@ public record Substeps(int count, float seconds, float[] numbers) {
     /**
      * Substeps from one detection to the next, in which no two circles from cells that are not neighbours may meet as they move now.
      * Cells are wider than circles by their reach; two circles at most at the highest speed, one of which falls while the other
-     * rests, use that up. Among many, some of which others always throw to and fro, the highest speed says little: there the box of all velocities
-     * bounds how fast two close in, though a bounce may part from it; few settle better with more detections. Gravity alone
-     * should not make neighbours of many.
+     * rests, use that up. Among many, some of which others always throw to and fro, the highest speed says little: there the
+     * box of all velocities bounds how fast two close in, though a bounce may part from it; few settle better with more
+     * detections. Gravity alone should not make neighbours of many.
      */
     public int perDetection(WorldConfig config, Population population, Motion motion, Levels levels) {
         boolean many = population.circles() > Tuning.CLOSING_CIRCLES;
