@@ -33,34 +33,34 @@ final class StageBytes {
     /**
      * What a world holds after a step.
      *
-     * @param circle (x, y, radius, mass) a circle
+     * @param transforms (x, y, radius, angle) a circle
      * @param contacts those listed
      * @param colourings launches of {@code c2d_batch_colour} that share a detection's contacts
      */
-    StageBytes(WorldConfig config, FloatBuffer circle, int circles, long contacts, double colourings) {
+    StageBytes(WorldConfig config, FloatBuffer transforms, int circles, long contacts, double colourings) {
         this.circles = circles;
         this.contacts = contacts;
         this.colourings = colourings;
         pairwise = config.strategy().pairwise();
         few = circles <= Tuning.FEW_CIRCLES;
-        Population population = Population.of(circle, circles);
+        Population population = Population.of(transforms, null, circles);
         // those where speeds are such that a step takes one detection or two
         Levels levels = Levels.of(config, population, Tuning.REACH_FAR);
         Tiles all = Tiles.of(levels);
         buckets = levels.cells;
-        occupied = occupied(config, levels, circle, circles);
+        occupied = occupied(config, levels, transforms, circles);
         tiles = all.tiles;
         parts = (long) Tiles.PARTS * all.tiles;
         members = all.parts() - parts;
     }
 
-    private static int occupied(WorldConfig config, Levels levels, FloatBuffer circle, int circles) {
+    private static int occupied(WorldConfig config, Levels levels, FloatBuffer transforms, int circles) {
         BitSet buckets = new BitSet(levels.cells);
         for (int i = 0; i < circles; i++) {
-            int at = Levels.at(levels.levelOf(circle.get(4 * i + 2)));
+            int at = Levels.at(levels.levelOf(transforms.get(4 * i + 2)));
             int shift = levels.table[at + Levels.SHIFT];
-            int column = levels.column(circle.get(4 * i), config.minX()) >> shift;
-            int row = levels.row(circle.get(4 * i + 1), config.minY()) >> shift;
+            int column = levels.column(transforms.get(4 * i), config.minX()) >> shift;
+            int row = levels.row(transforms.get(4 * i + 1), config.minY()) >> shift;
             buckets.set(levels.bucket(at, column, row));
         }
         return buckets.cardinality();

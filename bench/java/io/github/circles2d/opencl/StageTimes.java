@@ -56,14 +56,15 @@ public final class StageTimes {
         WorldConfig config = config(args, scene, perSecond, substeps);
         // on the way there at 60 steps a second, with the same substeps
         WorldConfig settling = config(args, scene, 60, substeps * perSecond / 60);
-        FloatBuffer circle = direct(4 * circles);
+        FloatBuffer transforms = direct(4 * circles);
+        FloatBuffer masses = direct(circles);
         FloatBuffer velocities = direct(2 * circles);
         Circles2D.Builder host = Circles2D.builder().device(ComputeDevice.host());
         try (Circles2D world = rows ? Layout.rows(circles).world(host) : scene.build(host, circles)) {
             var now = world.snapshot();
             for (int i = 0; i < circles; i++) {
-                circle.put(4 * i, now.x(i)).put(4 * i + 1, now.y(i)).put(4 * i + 2, now.radius(i));
-                circle.put(4 * i + 3, now.mass(i));
+                transforms.put(4 * i, now.x(i)).put(4 * i + 1, now.y(i)).put(4 * i + 2, now.radius(i));
+                masses.put(i, now.mass(i));
                 velocities.put(2 * i, now.vx(i)).put(2 * i + 1, now.vy(i));
             }
         }
@@ -72,16 +73,16 @@ public final class StageTimes {
             Stepper stepper = small
                     ? new SmallPipeline(settling, (OpenClSmallStages) stages)
                     : new Pipeline((OpenClStages) stages);
-            stepper.upload(Population.of(circle, circles), velocities);
+            stepper.upload(Population.of(transforms, masses, circles), velocities);
             for (int step = 0; step < before; step++) {
                 stepper.step();
                 stepper.await();
                 launches.take(null);
             }
             if (perSecond != 60) {
-                stages.download(circle, velocities);
+                stages.download(transforms, velocities);
                 stepper = new SmallPipeline(config, (OpenClSmallStages) stages);
-                stepper.upload(Population.of(circle, circles), velocities);
+                stepper.upload(Population.of(transforms, masses, circles), velocities);
             }
             Map<String, LongSummaryStatistics> times = new LinkedHashMap<>();
             long span = 0;
@@ -119,11 +120,11 @@ public final class StageTimes {
                     sums.meanOverlap(),
                     sums.largestOverlap(),
                     sums.fastest());
-            stages.download(circle, velocities);
+            stages.download(transforms, velocities);
             double detections = count(times, "c2d_batch_order");
             StageBytes bytes = new StageBytes(
                     config,
-                    circle,
+                    transforms,
                     circles,
                     contacts,
                     detections > 0 ? count(times, "c2d_batch_colour") / detections : 0);

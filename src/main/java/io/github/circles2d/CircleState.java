@@ -10,6 +10,9 @@ import java.util.Objects;
 /** The host's copy of the circles: what snapshots show, what is uploaded after a change. */
 final class CircleState implements Snapshot {
     private int count;
+    /** No step changes them. */
+    private FloatBuffer masses;
+
     private CircleBuffers shown;
     /** What steps in the background are read back into; null without. */
     private CircleBuffers hidden;
@@ -17,6 +20,7 @@ final class CircleState implements Snapshot {
     private final Radii radii = new Radii();
 
     CircleState(int capacity, boolean background) {
+        masses = CircleBuffers.grown(null, 1, capacity);
         shown = new CircleBuffers(capacity);
         hidden = background ? new CircleBuffers(0) : null;
     }
@@ -28,14 +32,18 @@ final class CircleState implements Snapshot {
             if (room == Tuning.MAX_CIRCLES) {
                 throw new CapacityException("a world holds at most " + Tuning.MAX_CIRCLES + " circles");
             }
-            shown.grow((int) Math.min(Tuning.MAX_CIRCLES, Math.max(Tuning.FIRST_CIRCLES, room * Tuning.GROWTH)));
+            int more = (int) Math.min(Tuning.MAX_CIRCLES, Math.max(Tuning.FIRST_CIRCLES, room * Tuning.GROWTH));
+            FloatBuffer moreMasses = CircleBuffers.grown(masses, 1, more);
+            shown.grow(more);
+            masses = moreMasses;
         }
         int slot = count++;
-        shown.circle()
+        shown.transforms()
                 .put(4 * slot, x)
                 .put(4 * slot + 1, y)
                 .put(4 * slot + 2, radius)
-                .put(4 * slot + 3, mass);
+                .put(4 * slot + 3, 0);
+        masses.put(slot, mass);
         radii.add(radius);
         setVelocity(slot, vx, vy);
         return slot;
@@ -43,7 +51,6 @@ final class CircleState implements Snapshot {
 
     void setVelocity(int slot, float vx, float vy) {
         shown.velocities().put(2 * slot, vx).put(2 * slot + 1, vy);
-        shown.changed();
     }
 
     /** What is shown. */
@@ -53,7 +60,6 @@ final class CircleState implements Snapshot {
 
     /** The other set, with room for what a step in the background needs; that step must not allocate. */
     CircleBuffers reserveHidden() {
-        shown.reserve(shown.room());
         hidden.reserve(shown.room());
         return hidden;
     }
@@ -68,27 +74,32 @@ final class CircleState implements Snapshot {
 
     /** The circles that are shown. */
     Population population() {
-        return radii.population(shown.circle());
+        return radii.population(shown.transforms(), masses);
     }
 
     /** FNV-1a, 64 bits, over the raw bits in slot order, 32 bits at a time. */
     long hash() {
-        FloatBuffer circle = shown.circle();
+        FloatBuffer transforms = shown.transforms();
         FloatBuffer velocities = shown.velocities();
         long hash = 0xcbf29ce484222325L;
         for (int slot = 0; slot < count; slot++) {
-            for (int k = 0; k < 4; k++) {
-                hash = (hash ^ Float.floatToRawIntBits(circle.get(4 * slot + k)) & 0xFFFFFFFFL) * 0x100000001b3L;
+            for (int k = 0; k < 3; k++) {
+                hash = hash(hash, transforms.get(4 * slot + k));
             }
+            hash = hash(hash, masses.get(slot));
             for (int k = 0; k < 2; k++) {
-                hash = (hash ^ Float.floatToRawIntBits(velocities.get(2 * slot + k)) & 0xFFFFFFFFL) * 0x100000001b3L;
+                hash = hash(hash, velocities.get(2 * slot + k));
             }
         }
         return hash;
     }
 
-    private float circle(int slot, int number) {
-        return shown.circle().get(4 * Objects.checkIndex(slot, count) + number);
+    private static long hash(long before, float value) {
+        return (before ^ Float.floatToRawIntBits(value) & 0xFFFFFFFFL) * 0x100000001b3L;
+    }
+
+    private float transform(int slot, int number) {
+        return shown.transforms().get(4 * Objects.checkIndex(slot, count) + number);
     }
 
     private float velocity(int slot, int number) {
@@ -102,22 +113,22 @@ final class CircleState implements Snapshot {
 
     @Override
     public float x(int slot) {
-        return circle(slot, 0);
+        return transform(slot, 0);
     }
 
     @Override
     public float y(int slot) {
-        return circle(slot, 1);
+        return transform(slot, 1);
     }
 
     @Override
     public float radius(int slot) {
-        return circle(slot, 2);
+        return transform(slot, 2);
     }
 
     @Override
     public float mass(int slot) {
-        return circle(slot, 3);
+        return masses.get(Objects.checkIndex(slot, count));
     }
 
     @Override

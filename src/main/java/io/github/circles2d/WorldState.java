@@ -92,15 +92,14 @@ final class WorldState {
         }
         if (background != null) {
             settle();
-            background.target(circles.swap(), circles.count());
+            background.target(circles.swap());
         } else {
             try {
                 stepper.await();
-                stages.download(circles.shown().circle(), circles.shown().velocities());
+                stages.download(circles.shown().transforms(), circles.shown().velocities());
             } catch (Circles2DException e) {
                 throw failed(e);
             }
-            circles.shown().changed();
         }
         fresh = true;
         return circles;
@@ -136,7 +135,7 @@ final class WorldState {
         }
         settle();
         if (background != null) {
-            background.target(circles.reserveHidden(), circles.count());
+            background.target(circles.reserveHidden());
         }
         lost = true;
         stepper.upload(circles.population(), circles.shown().velocities());

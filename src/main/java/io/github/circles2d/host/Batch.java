@@ -3,6 +3,7 @@ package io.github.circles2d.host;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.Tiles;
+import io.github.circles2d.pipeline.Workers;
 import java.util.Arrays;
 
 /** Twin of {@code kernels/batch.cl}: puts the contacts in the order in which they are solved. */

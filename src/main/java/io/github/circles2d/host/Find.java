@@ -2,6 +2,7 @@ package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Substeps;
+import io.github.circles2d.pipeline.Workers;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.util.Arrays;
 

@@ -1,6 +1,7 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
+import io.github.circles2d.pipeline.Workers;
 import java.util.Arrays;
 
 /** Twin of {@code kernels/grid.cl}: sorts the circles by bucket, and by number within each. */

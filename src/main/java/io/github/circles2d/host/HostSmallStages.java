@@ -2,17 +2,20 @@ package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Motion;
+import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Substeps;
+import io.github.circles2d.pipeline.Tuning;
+import io.github.circles2d.pipeline.Workers;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.FloatBuffer;
 
 /** The stages of one world of small steps in plain Java. Nothing queues up: every call is done when it returns. */
 public final class HostSmallStages implements SmallStages {
     private final SmallState state = new SmallState();
-    private final Workers workers = new Workers();
+    private final Workers workers = new Workers(Tuning.HOST_ITEMS, Integer.MAX_VALUE);
     private final SmallContacts contacts = new SmallContacts();
     private final Grid grid;
     private final Find find;
@@ -35,8 +38,8 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels, Levels used) {
-        state.upload(circle, velocities, used);
+    public void upload(Population population, FloatBuffer velocities, Levels[] levels, Levels used) {
+        state.upload(population, velocities, used);
         contacts.ensureCircles(state.id.length);
     }
 
@@ -46,8 +49,8 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void download(FloatBuffer circle, FloatBuffer velocities) {
-        state.download(circle, velocities);
+    public void download(FloatBuffer transforms, FloatBuffer velocities) {
+        state.published.download(transforms, velocities);
     }
 
     @Override

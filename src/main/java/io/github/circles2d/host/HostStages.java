@@ -1,6 +1,7 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.CellGrid;
+import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
@@ -31,18 +32,18 @@ public final class HostStages implements Stages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
-        state.upload(circle, velocities, circles);
+    public void upload(Population population, FloatBuffer velocities) {
+        state.upload(population, velocities);
         detect.prepare();
-        cells = CellGrid.of(config, circles, maxRadius);
+        cells = CellGrid.of(config, population.circles(), population.maxRadius());
         if (contacts.cellStart.length < cells.cells() + 1) {
             contacts.cellStart = new int[cells.cells() + 1];
         }
     }
 
     @Override
-    public void download(FloatBuffer circle, FloatBuffer velocities) {
-        state.download(circle, velocities);
+    public void download(FloatBuffer transforms, FloatBuffer velocities) {
+        state.download(transforms, velocities);
     }
 
     @Override

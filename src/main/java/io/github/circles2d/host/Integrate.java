@@ -3,6 +3,7 @@ package io.github.circles2d.host;
 import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.Substeps;
 import io.github.circles2d.pipeline.Tuning;
+import io.github.circles2d.pipeline.Workers;
 import java.util.Arrays;
 
 /** Twin of {@code kernels/integrate.cl} and {@code walls.cl}: a substep's share of each circle alone. */
@@ -191,7 +192,8 @@ final class Integrate {
     /** {@code c2d_publish}. */
     private void publish(int from, int end, Motion motion) {
         float[] body = state.body;
-        float[] circle = state.circle;
+        float[] circle = state.published.circle;
+        float[] velocities = state.published.velocities;
         for (int i = from; i < end; i++) {
             int b = SmallState.BODY * i;
             int d = state.id[i];
@@ -202,8 +204,8 @@ final class Integrate {
             motion.add(vx, vy, body[b + SmallState.RADIUS], x - circle[4 * d], y - circle[4 * d + 1]);
             circle[4 * d] = x;
             circle[4 * d + 1] = y;
-            state.velocities[2 * d] = vx;
-            state.velocities[2 * d + 1] = vy;
+            velocities[2 * d] = vx;
+            velocities[2 * d + 1] = vy;
         }
     }
 

@@ -1,5 +1,7 @@
 package io.github.circles2d.host;
 
+import io.github.circles2d.pipeline.Workers;
+
 /** Twin of {@code kernels/match.cl}: gives each contact what the detection before remembers of it. */
 final class Match {
     private final SmallState state;

@@ -2,6 +2,7 @@ package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Motion;
+import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.Substeps;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
@@ -24,10 +25,8 @@ final class SmallState {
     static final float BOUNCED = 3e38f;
 
     int circles;
-    /** By number: (x, y, radius, mass), and (vx, vy), as after the last step. */
-    float[] circle = {};
-
-    float[] velocities = {};
+    /** By number, as after the last step. */
+    final State published = new State();
     /** By number, for each axis: the impulse to come and the last one, positive from the lower wall, negative from the upper. */
     float[] walls = {};
     /** By place. */
@@ -47,13 +46,14 @@ final class SmallState {
     final Motion motion = new Motion();
 
     /** The kernel {@code c2d_load}. */
-    void upload(FloatBuffer newCircle, FloatBuffer newVelocities, Levels newLevels) {
+    void upload(Population population, FloatBuffer newVelocities, Levels newLevels) {
         int count = newLevels.circles;
         if (count > id.length || id.length == 0) {
-            grow(newCircle.capacity() / 4);
+            grow(population.transforms().capacity() / 4);
         }
-        newCircle.get(0, circle, 0, 4 * count);
-        newVelocities.get(0, velocities, 0, 2 * count);
+        published.upload(population, newVelocities);
+        float[] circle = published.circle;
+        float[] velocities = published.velocities;
         for (int p = 0; p < count; p++) {
             if (p >= circles) {
                 id[p] = p;
@@ -72,18 +72,11 @@ final class SmallState {
     }
 
     private void grow(int room) {
-        circle = new float[4 * room];
-        velocities = new float[2 * room];
         walls = Arrays.copyOf(walls, 4 * room);
         body = Arrays.copyOf(body, BODY * room);
         id = Arrays.copyOf(id, room);
         kicked = new float[2 * room];
         from = new int[room];
-    }
-
-    void download(FloatBuffer toCircle, FloatBuffer toVelocities) {
-        toCircle.put(0, circle, 0, 4 * circles);
-        toVelocities.put(0, velocities, 0, 2 * circles);
     }
 
     /** The finest column of a circle. */

@@ -1,6 +1,7 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.Substeps;
+import io.github.circles2d.pipeline.Workers;
 
 /** Twin of {@code kernels/solve.cl}: one pass over the contacts, in the order that batch made. */
 final class Solve {

@@ -1,5 +1,7 @@
 package io.github.circles2d.host;
 
+import io.github.circles2d.pipeline.CircleBuffers;
+import io.github.circles2d.pipeline.Population;
 import java.nio.FloatBuffer;
 
 /** The circles: the buffers {@code circle} and {@code velocities} of the kernels. */
@@ -10,19 +12,24 @@ final class State {
     /** (vx, vy) a circle. */
     float[] velocities = {};
 
-    void upload(FloatBuffer newCircle, FloatBuffer newVelocities, int count) {
+    void upload(Population population, FloatBuffer newVelocities) {
+        int count = population.circles();
         if (4 * count > circle.length) {
-            int room = newCircle.capacity() / 4;
+            int room = population.transforms().capacity() / 4;
             circle = new float[4 * room];
             velocities = new float[2 * room];
         }
-        newCircle.get(0, circle, 0, 4 * count);
+        population.transforms().get(0, circle, 0, 4 * count);
+        for (int i = 0; i < count; i++) {
+            circle[4 * i + 3] = population.masses().get(i);
+        }
         newVelocities.get(0, velocities, 0, 2 * count);
         circles = count;
     }
 
-    void download(FloatBuffer toCircle, FloatBuffer toVelocities) {
-        toCircle.put(0, circle, 0, 4 * circles);
+    void download(FloatBuffer transforms, FloatBuffer toVelocities) {
+        transforms.put(0, circle, 0, 4 * circles);
+        CircleBuffers.setAngles(transforms, 0, circles);
         toVelocities.put(0, velocities, 0, 2 * circles);
     }
 }

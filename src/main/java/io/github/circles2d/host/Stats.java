@@ -47,7 +47,7 @@ final class Stats {
 
     /** Of {@link Solver#SMALL_STEPS}. */
     static StepSums ofLists(WorldConfig config, SmallState state, SmallContacts contacts) {
-        Stats stats = new Stats(config, state.circle, state.velocities);
+        Stats stats = new Stats(config, state.published.circle, state.published.velocities);
         stats.circles(state.circles);
         float[] body = state.body;
         for (int part = 0; part < StepSums.parts(state.circles); part++) {

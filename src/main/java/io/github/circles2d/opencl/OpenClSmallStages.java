@@ -2,6 +2,7 @@ package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Motion;
+import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
@@ -45,10 +46,10 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] newLevels, Levels newUsed) {
+    public void upload(Population population, FloatBuffer velocities, Levels[] newLevels, Levels newUsed) {
         kernels.compile(newUsed.circles);
-        state.upload(circle, velocities, newUsed.circles);
-        if (heap.ensureCircles(newLevels, circle.capacity() / 4)) {
+        state.upload(population, velocities);
+        if (heap.ensureCircles(newLevels, population.transforms().capacity() / 4)) {
             kernels.unbind();
         }
         kernels.levels(newLevels);
@@ -73,8 +74,8 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void download(FloatBuffer circle, FloatBuffer velocities) {
-        state.download(circle, velocities);
+    public void download(FloatBuffer transforms, FloatBuffer velocities) {
+        state.download(transforms, velocities);
     }
 
     @Override

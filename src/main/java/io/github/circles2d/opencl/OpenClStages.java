@@ -2,6 +2,7 @@ package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.CellGrid;
 import io.github.circles2d.pipeline.IndexStrategies;
+import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.StepSums;
@@ -102,10 +103,11 @@ final class OpenClStages implements Stages {
     }
 
     @Override
-    public void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius) {
+    public void upload(Population population, FloatBuffer velocities) {
+        int circles = population.circles();
         compile(IndexStrategies.wide(circles));
-        state.upload(circle, velocities, circles);
-        cells = CellGrid.of(config, circles, maxRadius);
+        state.upload(population, velocities);
+        cells = CellGrid.of(config, circles, population.maxRadius());
         contacts.cellStart.ensure(4L * cells.cells());
         contacts.ensure((long) Tuning.CONTACTS_PER_CIRCLE * circles + Tuning.FIRST_CONTACTS);
         bind();
@@ -123,8 +125,8 @@ final class OpenClStages implements Stages {
     }
 
     @Override
-    public void download(FloatBuffer circle, FloatBuffer velocities) {
-        state.download(circle, velocities);
+    public void download(FloatBuffer transforms, FloatBuffer velocities) {
+        state.download(transforms, velocities);
     }
 
     @Override

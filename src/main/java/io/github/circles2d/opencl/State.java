@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.Motion;
+import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.Status;
 import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteBuffer;
@@ -30,6 +31,7 @@ final class State {
     private long velocitiesAt;
     private long bytes;
     private final Staging staging;
+    private final StagedCircles staged;
     /** The staging memory holds all of the device's state. */
     private boolean stagedWhole;
 
@@ -47,6 +49,7 @@ final class State {
         circle = new DeviceBuffer(session, "circle");
         velocities = new DeviceBuffer(session, "velocities");
         staging = new Staging(session);
+        staged = new StagedCircles(staging);
     }
 
     private long aligned(long offset) {
@@ -68,15 +71,16 @@ final class State {
         return bytes <= Tuning.ONE_TRANSFER_BYTES;
     }
 
-    void upload(FloatBuffer newCircle, FloatBuffer newVelocities, int count) {
+    void upload(Population population, FloatBuffer newVelocities) {
+        int count = population.circles();
         if (count != circles || bytes == 0) {
             lay(count);
             clearStatus();
         }
-        circle.write(newCircle, 16L * count);
-        velocities.write(newVelocities, 8L * count);
         circles = count;
         stagedWhole = false;
+        write(circleAt, population.transforms(), population.masses(), StagedCircles.TRANSFORM);
+        write(velocitiesAt, newVelocities, null, StagedCircles.VELOCITY);
     }
 
     /** What the device says of itself. Waits for all that is queued; a small world that is to be read comes back whole. */
@@ -114,22 +118,38 @@ final class State {
     }
 
     /** Reads the circles. Waits. */
-    void download(FloatBuffer toCircle, FloatBuffer toVelocities) {
+    void download(FloatBuffer transforms, FloatBuffer toVelocities) {
         if (stagedWhole) {
-            toCircle.put(0, staging.floats(), (int) circleAt / 4, 4 * circles);
-            toVelocities.put(0, staging.floats(), (int) velocitiesAt / 4, 2 * circles);
+            staged.toHost((int) circleAt / 4, transforms, StagedCircles.TRANSFORM, 0, circles);
+            staged.toHost((int) velocitiesAt / 4, toVelocities, StagedCircles.VELOCITY, 0, circles);
             return;
         }
-        read(circleAt, toCircle, 16L * circles);
-        read(velocitiesAt, toVelocities, 8L * circles);
+        read(circleAt, transforms, StagedCircles.TRANSFORM);
+        read(velocitiesAt, toVelocities, StagedCircles.VELOCITY);
     }
 
-    /** Reads a part of the whole, as much at a time as the staging memory has room for. */
-    private void read(long from, FloatBuffer to, long count) {
-        for (long at = 0; at < count; at += staging.room()) {
-            long part = Math.min(count - at, staging.room());
-            whole.read(from + at, staging.pointer(), part);
-            to.put((int) (at / 4), staging.floats(), 0, (int) (part / 4));
+    /** How many circles of so many floats the staging memory has room for. */
+    private int mostStaged(int floats) {
+        return staging.room() / (4 * floats);
+    }
+
+    /** Writes a part of the whole, as much at a time as the staging memory has room for. */
+    private void write(long to, FloatBuffer from, FloatBuffer masses, int floats) {
+        int most = mostStaged(floats);
+        for (int first = 0; first < circles; first += most) {
+            int some = Math.min(circles - first, most);
+            staged.toStaging(from, masses, floats, first, some);
+            whole.write(to + 4L * floats * first, staging.pointer(), 4L * floats * some);
+        }
+    }
+
+    /** The same way back. */
+    private void read(long from, FloatBuffer to, int floats) {
+        int most = mostStaged(floats);
+        for (int first = 0; first < circles; first += most) {
+            int some = Math.min(circles - first, most);
+            whole.read(from + 4L * floats * first, staging.pointer(), 4L * floats * some);
+            staged.toHost(0, to, floats, first, some);
         }
     }
 

@@ -20,7 +20,6 @@ public final class BackgroundSteps {
     private volatile Throwable failure;
     private volatile Thread waiting;
     private CircleBuffers target;
-    private int circles;
 
     /** Starts the thread. */
     public BackgroundSteps(Stepper stepper, DeviceState stages) {
@@ -32,10 +31,9 @@ public final class BackgroundSteps {
         thread.start();
     }
 
-    /** What to read so many circles into from now on; with no step under way. */
-    public void target(CircleBuffers newTarget, int count) {
+    /** What to read the circles into from now on; with no step under way. */
+    public void target(CircleBuffers newTarget) {
         target = newTarget;
-        circles = count;
     }
 
     /** Asks for steps; returns at once and allocates nothing. */
@@ -94,9 +92,7 @@ public final class BackgroundSteps {
                     made++;
                 } else if (done < made) {
                     stepper.await();
-                    stages.download(target.circle(), target.velocities());
-                    target.changed();
-                    target.prepare(circles);
+                    stages.download(target.transforms(), target.velocities());
                     done = made;
                     LockSupport.unpark(waiting);
                 } else {

@@ -6,16 +6,14 @@ import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 
 /**
- * The circles in the host's memory: what is uploaded and read back, and what a renderer instances from. The views are given to users, so
- * that only what is asked for their sake moves their limits. Not thread-safe.
+ * What a step changes of the circles, in the host's memory: what is uploaded and read back, and what a renderer instances from. The views
+ * are given to users, so that only what is asked for their sake moves their limits. Not thread-safe.
  */
 public final class CircleBuffers {
-    private FloatBuffer circle;
-    private FloatBuffer velocities;
-    private FloatBuffer velocitiesView;
-    private FloatBuffer transforms;
+    private FloatBuffer transforms = allocate(4, 0);
     private FloatBuffer transformsView;
-    private boolean transformsFresh;
+    private FloatBuffer velocities = allocate(2, 0);
+    private FloatBuffer velocitiesView;
 
     /**
      * Buffers for so many circles.
@@ -23,11 +21,7 @@ public final class CircleBuffers {
      * @throws CapacityException if Java has no direct memory for them; so do the methods that grow them
      */
     public CircleBuffers(int room) {
-        circle = allocate(4, room);
-        velocities = allocate(2, room);
-        velocitiesView = velocities.asReadOnlyBuffer();
-        transforms = allocate(4, 0);
-        transformsView = transforms.asReadOnlyBuffer();
+        grow(room);
     }
 
     private static FloatBuffer allocate(int floats, int circles) {
@@ -41,38 +35,36 @@ public final class CircleBuffers {
         }
     }
 
-    private static FloatBuffer grown(FloatBuffer old, int floats, int circles) {
-        return allocate(floats, circles).put(old.duplicate().clear()).clear();
+    /** A direct buffer for so many floats of each of so many circles, which begins with all that is in another; null: empty. */
+    public static FloatBuffer grown(FloatBuffer old, int floats, int circles) {
+        FloatBuffer grown = allocate(floats, circles);
+        return old == null ? grown : grown.put(old.duplicate().clear()).clear();
     }
 
     /** How many circles there is room for. */
     public int room() {
-        return circle.capacity() / 4;
+        return velocities.capacity() / 2;
     }
 
     /** Makes room for more circles, and keeps those there are. */
     public void grow(int more) {
         FloatBuffer moreVelocities = grown(velocities, 2, more);
-        circle = grown(circle, 4, more);
+        transforms = grown(transforms, 4, more);
         velocities = moreVelocities;
+        transformsView = transforms.asReadOnlyBuffer();
         velocitiesView = velocities.asReadOnlyBuffer();
     }
 
-    /** Sees to it that neither {@link #prepare} nor a download allocates with up to so many circles. */
+    /** Sees to it that there is room for so many circles. */
     public void reserve(int circles) {
         if (room() < circles) {
             grow(circles);
         }
-        if (transforms.capacity() < 4 * circles) {
-            transforms = allocate(4, room());
-            transformsView = transforms.asReadOnlyBuffer();
-            transformsFresh = false;
-        }
     }
 
-    /** (x, y, radius, mass) a circle, world units. */
-    public FloatBuffer circle() {
-        return circle;
+    /** (x, y, radius, angle) a circle, world units; angles are 0. */
+    public FloatBuffer transforms() {
+        return transforms;
     }
 
     /** (vx, vy) a circle, world units a second. */
@@ -80,31 +72,20 @@ public final class CircleBuffers {
         return velocities;
     }
 
-    /** Says that the circles have been written to. */
-    public void changed() {
-        transformsFresh = false;
-    }
-
-    /** Writes what {@link #transformsView} shows, unless that is so already. */
-    public void prepare(int circles) {
-        reserve(circles);
-        if (!transformsFresh) {
-            transforms.put(0, circle, 0, 4 * circles);
-            for (int angle = 3; angle < 4 * circles; angle += 4) {
-                transforms.put(angle, 0);
-            }
-            transformsFresh = true;
-        }
-    }
-
-    /** (x, y, radius, 0) a circle, read-only. */
+    /** {@link #transforms} of so many, read-only. */
     public FloatBuffer transformsView(int circles) {
-        prepare(circles);
         return transformsView.clear().limit(4 * circles);
     }
 
-    /** (vx, vy) a circle, read-only. */
+    /** {@link #velocities} of so many, read-only. */
     public FloatBuffer velocitiesView(int circles) {
         return velocitiesView.clear().limit(2 * circles);
+    }
+
+    /** Makes transforms of what devices have, (x, y, radius, mass) a circle, where they have been copied as they are. */
+    public static void setAngles(FloatBuffer transforms, int from, int end) {
+        for (int i = from; i < end; i++) {
+            transforms.put(4 * i + 3, 0);
+        }
     }
 }

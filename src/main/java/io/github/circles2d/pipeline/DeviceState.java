@@ -7,10 +7,10 @@ public interface DeviceState extends AutoCloseable {
     /**
      * Reads the circles. Waits.
      *
-     * @param circle (x, y, radius, mass) a circle, world units; direct, native order, written from 0
+     * @param transforms (x, y, radius, 0) a circle, world units; direct, native order, written from 0
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, written from 0
      */
-    void download(FloatBuffer circle, FloatBuffer velocities);
+    void download(FloatBuffer transforms, FloatBuffer velocities);
 
     /**
      * Waits for everything and says how far it went.

@@ -20,7 +20,7 @@ public final class Pipeline implements Stepper {
 
     @Override
     public void upload(Population population, FloatBuffer velocities) {
-        stages.upload(population.circle(), velocities, population.circles(), population.maxRadius());
+        stages.upload(population, velocities);
     }
 
     /** Queues one step; waits only when {@link Tuning#STEPS_IN_FLIGHT} are queued. */

@@ -5,7 +5,8 @@ import java.nio.FloatBuffer;
 /**
  * The circles of a world as far as the host knows them.
  *
- * @param circle (x, y, radius, mass) a circle, world units
+ * @param transforms (x, y, radius, angle) a circle, world units; direct, native order, read from 0
+ * @param masses mass of each, in any unit; direct, native order, read from 0
  * @param circles number of circles
  * @param minRadius smallest radius, world units; 1 without circles
  * @param maxRadius largest radius, world units; 1 without circles
@@ -13,25 +14,31 @@ import java.nio.FloatBuffer;
  * @param area sum of their areas, world units squared
  */
 public record Population(
-        FloatBuffer circle, int circles, float minRadius, float maxRadius, double meanRadius, double area) {
+        FloatBuffer transforms,
+        FloatBuffer masses,
+        int circles,
+        float minRadius,
+        float maxRadius,
+        double meanRadius,
+        double area) {
 
     /** Something done with a radius. */
     interface RadiusAction {
         void accept(float radius);
     }
 
-    /** The circles of a buffer. */
-    public static Population of(FloatBuffer circle, int circles) {
+    /** The circles of buffers, as the record has them. */
+    public static Population of(FloatBuffer transforms, FloatBuffer masses, int circles) {
         Radii radii = new Radii();
         for (int i = 0; i < circles; i++) {
-            radii.add(circle.get(4 * i + 2));
+            radii.add(transforms.get(4 * i + 2));
         }
-        return radii.population(circle);
+        return radii.population(transforms, masses);
     }
 
     void radii(RadiusAction action) {
         for (int i = 0; i < circles; i++) {
-            action.accept(circle.get(4 * i + 2));
+            action.accept(transforms.get(4 * i + 2));
         }
     }
 
@@ -43,7 +50,7 @@ public record Population(
     void motion(FloatBuffer velocities, Motion before, Motion motion) {
         motion.begin(before);
         for (int i = 0; i < circles; i++) {
-            motion.add(velocities.get(2 * i), velocities.get(2 * i + 1), circle.get(4 * i + 2), 0, 0);
+            motion.add(velocities.get(2 * i), velocities.get(2 * i + 1), transforms.get(4 * i + 2), 0, 0);
         }
     }
 }

@@ -22,11 +22,11 @@ public final class Radii {
     /**
      * The circles that these are the radii of.
      *
-     * @param circle (x, y, radius, mass) a circle, world units
+     * @param transforms as {@link Population} has them; so the masses
      */
-    public Population population(FloatBuffer circle) {
+    public Population population(FloatBuffer transforms, FloatBuffer masses) {
         return circles == 0
-                ? new Population(circle, 0, 1, 1, 1, 0)
-                : new Population(circle, circles, min, max, sum / circles, Math.PI * squares);
+                ? new Population(transforms, masses, 0, 1, 1, 1, 0)
+                : new Population(transforms, masses, circles, min, max, sum / circles, Math.PI * squares);
     }
 }

@@ -55,7 +55,7 @@ public final class SmallPipeline implements Stepper {
         boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
         used = levels[wide ? levels.length - 1 : 0];
-        stages.upload(population.circle(), velocities, levels, used);
+        stages.upload(population, velocities, levels, used);
     }
 
     /** The farthest that a circle is expected to come in the next step, world units: as far again, or as its speed says. */

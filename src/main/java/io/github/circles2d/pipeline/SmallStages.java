@@ -10,12 +10,12 @@ public interface SmallStages extends DeviceState {
     /**
      * Replaces the circles; what is remembered of those that were there stays. Waits.
      *
-     * @param circle (x, y, radius, mass) a circle, world units; direct, native order, read from 0
+     * @param population the circles
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
      * @param levels those that there is to be room for
      * @param used the one of them that is used until {@link #use}
      */
-    void upload(FloatBuffer circle, FloatBuffer velocities, Levels[] levels, Levels used);
+    void upload(Population population, FloatBuffer velocities, Levels[] levels, Levels used);
 
     /** Which of the levels, one of those uploaded, the detections that follow have their cells from. */
     void use(Levels levels);

@@ -11,11 +11,10 @@ public interface Stages extends DeviceState {
     /**
      * Replaces the whole state. Waits.
      *
-     * @param circle (x, y, radius, mass) a circle, world units; direct, native order, read from 0
+     * @param population the circles
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
-     * @param maxRadius largest radius among them, world units
      */
-    void upload(FloatBuffer circle, FloatBuffer velocities, int circles, float maxRadius);
+    void upload(Population population, FloatBuffer velocities);
 
     /** Integrates velocities and positions, walls included; empties the contacts. */
     void update();

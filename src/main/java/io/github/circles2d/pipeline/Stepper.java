@@ -8,7 +8,7 @@ public interface Stepper {
      * Replaces the circles. Those that were there keep their numbers, radii, masses and what the solver remembers of them, and are where
      * the last step has left them; others may have come after them, and any velocity be another. Waits.
      *
-     * @param population the circles; their buffer direct, in native order, read from 0
+     * @param population the circles
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
      */
     void upload(Population population, FloatBuffer velocities);

@@ -72,10 +72,19 @@ public final class Tuning {
     public static final long ONE_TRANSFER_BYTES = 1L << 20;
 
     /**
-     * Largest part of a state that is read back in one go through pinned memory, of which a world then has so much, bytes. At least
-     * {@link #ONE_TRANSFER_BYTES}, 2^20 to 2^26: less means more transfers, more no longer fits the processor's caches.
+     * Largest part of a state that is written or read back in one go through pinned memory, of which a world then has so much, bytes. At
+     * least {@link #ONE_TRANSFER_BYTES}, 2^20 to 2^26: less means more transfers, more pins memory for next to nothing.
      */
-    public static final int STAGING_BYTES = 1 << 22;
+    public static final int STAGING_BYTES = 1 << 24;
+
+    /**
+     * Fewest circles of a world on an OpenCL device that are given to another thread to copy to or from {@link #STAGING_BYTES}: 16 bytes
+     * each. 2^12 to 2^18: waking it takes some 20 us.
+     */
+    public static final int COPY_CIRCLES = 1 << 14;
+
+    /** Threads that copy at most, the one that waits for it included. 1 to 64: a few use up what memory gives. */
+    public static final int COPY_THREADS = 8;
 
     /** Steps that may wait in the queue before the caller waits for them, steps. 8 to 256. */
     public static final int STEPS_IN_FLIGHT = 64;

@@ -48,7 +48,7 @@ class HeapTest {
         for (int i = 0; i < circles; i++) {
             circle.put(4 * i + 2, 0.01f);
         }
-        Levels[] levels = Levels.all(CONFIG, Population.of(circle, circles));
+        Levels[] levels = Levels.all(CONFIG, Population.of(circle, null, circles));
         heap.ensureCircles(levels, circles);
         heap.write(levels, Stream.of(levels).map(Tiles::of).toArray(Tiles[]::new));
     }

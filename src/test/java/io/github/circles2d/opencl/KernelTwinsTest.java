@@ -37,10 +37,10 @@ class KernelTwinsTest {
                 int seeds = count == 1000 ? 3 : 12;
                 for (int seed = 0; seed < seeds; seed++) {
                     TwinState start = TwinState.random(config, count, 1000L * seed + count);
-                    device.upload(start.circle, start.velocities, count, start.maxRadius);
+                    device.upload(start.population(), start.velocities);
                     // enough for all: what happens when there is not is ContactOverflowTest's affair
                     device.makeRoom(20_000);
-                    host.upload(start.circle, start.velocities, count, start.maxRadius);
+                    host.upload(start.population(), start.velocities);
                     for (int step = 0; step < STEPS; step++) {
                         seen += step(twin, device, host, start, "n = " + count + ", seed " + seed + ", step " + step);
                     }
@@ -83,8 +83,8 @@ class KernelTwinsTest {
     private static TwinState compareStates(Stages device, Stages host, TwinState like, String where) {
         TwinState onDevice = like.empty();
         TwinState onHost = like.empty();
-        device.download(onDevice.circle, onDevice.velocities);
-        host.download(onHost.circle, onHost.velocities);
+        device.download(onDevice.transforms, onDevice.velocities);
+        host.download(onHost.transforms, onHost.velocities);
         assertArrayEquals(onHost.bits(), onDevice.bits(), where);
         return onDevice;
     }

@@ -151,7 +151,7 @@ public final class OclgrindGate {
                 circle.put(4 * i + 2, radius);
             }
             // the world's own cells follow from its box alone
-            Levels levels = Levels.of(SmallSteps.box(1, 0), Population.of(circle, circles), Tuning.REACH);
+            Levels levels = Levels.of(SmallSteps.box(1, 0), Population.of(circle, null, circles), Tuning.REACH);
             int at = Levels.at(0);
             require(levels.folded(at), "a folded level");
             int row = 0;

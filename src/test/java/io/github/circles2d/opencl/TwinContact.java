@@ -42,8 +42,8 @@ record TwinContact(int i, int j, int x, int y) {
     static Map<Integer, List<TwinContact>> byOwner(List<TwinContact> contacts, TwinState state, CellGrid cells) {
         Map<Integer, List<TwinContact>> lists = new TreeMap<>();
         for (TwinContact contact : sorted(contacts)) {
-            int a = cells.cell(state.circle.get(4 * contact.i), state.circle.get(4 * contact.i + 1));
-            int b = cells.cell(state.circle.get(4 * contact.j), state.circle.get(4 * contact.j + 1));
+            int a = cells.cell(state.transforms.get(4 * contact.i), state.transforms.get(4 * contact.i + 1));
+            int b = cells.cell(state.transforms.get(4 * contact.j), state.transforms.get(4 * contact.j + 1));
             // the lower row, then the lower column
             boolean first = a / cells.columns() < b / cells.columns()
                     || (a / cells.columns() == b / cells.columns() && a % cells.columns() <= b % cells.columns());
@@ -82,8 +82,8 @@ record TwinContact(int i, int j, int x, int y) {
         float tx = Float.intBitsToFloat(x);
         float ty = Float.intBitsToFloat(y);
         float depth = (float) Math.sqrt(tx * tx + ty * ty);
-        float inverseI = 1 / state.circle.get(4 * i + 3);
-        float inverseJ = 1 / state.circle.get(4 * j + 3);
+        float inverseI = 1 / state.masses.get(i);
+        float inverseJ = 1 / state.masses.get(j);
         float shareI = inverseI / (inverseI + inverseJ);
         float shareJ = inverseJ / (inverseI + inverseJ);
         float bounce = 1 + restitution;

@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.SmallSteps;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.FloatBuffer;
@@ -10,14 +11,16 @@ final class TwinState {
     private static final int SPOT = 30;
 
     final int count;
-    final FloatBuffer circle;
+    final FloatBuffer transforms;
+    final FloatBuffer masses;
     final FloatBuffer velocities;
     final float maxRadius;
 
-    private TwinState(int count, float maxRadius) {
+    private TwinState(int count, float maxRadius, FloatBuffer masses) {
         this.count = count;
         this.maxRadius = maxRadius;
-        circle = SmallSteps.direct(4 * count);
+        this.masses = masses;
+        transforms = SmallSteps.direct(4 * count);
         velocities = SmallSteps.direct(2 * count);
     }
 
@@ -26,15 +29,15 @@ final class TwinState {
         float width = config.maxX() - config.minX();
         float height = config.maxY() - config.minY();
         float largest = (float) (0.8 * height / Math.sqrt(count + 2) * random.nextDouble(0.3, 1));
-        TwinState state = new TwinState(count, largest);
+        TwinState state = new TwinState(count, largest, SmallSteps.direct(count));
         float spotX = config.minX() + width * (float) random.nextDouble();
         float spotY = config.minY() + height * (float) random.nextDouble();
         for (int i = 0; i < count; i++) {
             boolean spot = i % 3 == 0 && i < 3 * SPOT;
-            state.circle.put(4 * i, spot ? spotX : config.minX() + width * (float) random.nextDouble());
-            state.circle.put(4 * i + 1, spot ? spotY : config.minY() + height * (float) random.nextDouble());
-            state.circle.put(4 * i + 2, i == 0 ? largest : largest * (float) random.nextDouble(0.2, 1));
-            state.circle.put(4 * i + 3, (float) Math.pow(10, random.nextDouble(-9, 9)));
+            state.transforms.put(4 * i, spot ? spotX : config.minX() + width * (float) random.nextDouble());
+            state.transforms.put(4 * i + 1, spot ? spotY : config.minY() + height * (float) random.nextDouble());
+            state.transforms.put(4 * i + 2, i == 0 ? largest : largest * (float) random.nextDouble(0.2, 1));
+            state.masses.put(i, (float) Math.pow(10, random.nextDouble(-9, 9)));
             // those on one spot at rest, most of them slow, some faster than the world is wide
             double speed = spot ? 0 : height * Math.pow(10, random.nextDouble(-4, i % 5 == 0 ? 3 : 0));
             double angle = random.nextDouble(0, 2 * Math.PI);
@@ -44,16 +47,21 @@ final class TwinState {
         return state;
     }
 
-    /** Room for what is read back. */
-    TwinState empty() {
-        return new TwinState(count, maxRadius);
+    /** The circles. */
+    Population population() {
+        return Population.of(transforms, masses, count);
     }
 
-    /** Centre, radius, mass and velocity of each circle, as bits. */
+    /** Room for what is read back. */
+    TwinState empty() {
+        return new TwinState(count, maxRadius, masses);
+    }
+
+    /** Centre, radius, angle and velocity of each circle, as bits. */
     int[] bits() {
         int[] bits = new int[6 * count];
         for (int k = 0; k < 4 * count; k++) {
-            bits[k] = Float.floatToRawIntBits(circle.get(k));
+            bits[k] = Float.floatToRawIntBits(transforms.get(k));
         }
         for (int k = 0; k < 2 * count; k++) {
             bits[4 * count + k] = Float.floatToRawIntBits(velocities.get(k));

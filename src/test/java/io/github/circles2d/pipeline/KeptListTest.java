@@ -20,7 +20,8 @@ class KeptListTest {
 
     /** A world, and how often it was told to detect and to make room. */
     private static final class World implements AutoCloseable {
-        final FloatBuffer circle;
+        final FloatBuffer transforms;
+        final FloatBuffer masses;
         final FloatBuffer velocities;
         int detections;
         int rooms;
@@ -38,10 +39,11 @@ class KeptListTest {
                         return method.invoke(real, arguments);
                     });
             pipeline = new SmallPipeline(config, stages);
-            circle = SmallSteps.direct(4 * columns * rows);
+            transforms = SmallSteps.direct(4 * columns * rows);
+            masses = SmallSteps.direct(columns * rows);
             velocities = SmallSteps.direct(2 * columns * rows);
             lay(columns, rows);
-            pipeline.upload(Population.of(circle, columns * rows), velocities);
+            pipeline.upload(Population.of(transforms, masses, columns * rows), velocities);
         }
 
         /** A square lattice, a hundredth of a radius open, that drifts apart and together: with the skin, diagonals are within reach. */
@@ -50,8 +52,9 @@ class KeptListTest {
             float spacing = 1f / (Math.max(columns, rows) + 1);
             float radius = spacing / 2.01f;
             for (int i = 0; i < columns * rows; i++) {
-                circle.put(4 * i, spacing * (1 + i % columns)).put(4 * i + 1, spacing * (1 + i / columns));
-                circle.put(4 * i + 2, radius).put(4 * i + 3, 1);
+                transforms.put(4 * i, spacing * (1 + i % columns)).put(4 * i + 1, spacing * (1 + i / columns));
+                transforms.put(4 * i + 2, radius);
+                masses.put(i, 1);
                 velocities.put(2 * i, 0.6f * radius * (float) random.nextDouble(-1, 1));
                 velocities.put(2 * i + 1, 0.6f * radius * (float) random.nextDouble(-1, 1));
             }
@@ -60,8 +63,8 @@ class KeptListTest {
         int[] step() {
             pipeline.step();
             pipeline.await();
-            stages.download(circle, velocities);
-            return IntStream.concat(bits(circle), bits(velocities)).toArray();
+            stages.download(transforms, velocities);
+            return IntStream.concat(bits(transforms), bits(velocities)).toArray();
         }
 
         @Override

@@ -14,7 +14,8 @@ class SkinTest {
     private static final int CIRCLES = 400;
     private static final int SETTLED = 400;
 
-    private final FloatBuffer circle = SmallSteps.direct(4 * (CIRCLES + 1));
+    private final FloatBuffer transforms = SmallSteps.direct(4 * (CIRCLES + 1));
+    private final FloatBuffer masses = SmallSteps.direct(CIRCLES + 1);
     private final FloatBuffer velocities = SmallSteps.direct(2 * (CIRCLES + 1));
     private SmallStages stages;
     private SmallPipeline pipeline;
@@ -47,27 +48,28 @@ class SkinTest {
     }
 
     private void circle(int i, float x, float y, float radius) {
-        circle.put(4 * i, x).put(4 * i + 1, y).put(4 * i + 2, radius).put(4 * i + 3, radius * radius);
+        transforms.put(4 * i, x).put(4 * i + 1, y).put(4 * i + 2, radius);
+        masses.put(i, radius * radius);
         velocities.put(2 * i, 0).put(2 * i + 1, 0);
     }
 
     private void upload() {
-        pipeline.upload(Population.of(circle, circles), velocities);
+        pipeline.upload(Population.of(transforms, masses, circles), velocities);
     }
 
     private void step() {
         pipeline.step();
         pipeline.await();
-        stages.download(circle, velocities);
+        stages.download(transforms, velocities);
     }
 
     private void everyOverlapIsListed() {
         int overlapping = 0;
         for (int i = 0; i < circles; i++) {
             for (int j = i + 1; j < circles; j++) {
-                float dx = circle.get(4 * i) - circle.get(4 * j);
-                float dy = circle.get(4 * i + 1) - circle.get(4 * j + 1);
-                float radii = circle.get(4 * i + 2) + circle.get(4 * j + 2);
+                float dx = transforms.get(4 * i) - transforms.get(4 * j);
+                float dy = transforms.get(4 * i + 1) - transforms.get(4 * j + 1);
+                float radii = transforms.get(4 * i + 2) + transforms.get(4 * j + 2);
                 overlapping += radii - (float) Math.sqrt(dx * dx + dy * dy) > 0 ? 1 : 0;
             }
         }

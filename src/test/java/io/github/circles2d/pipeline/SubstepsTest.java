@@ -17,10 +17,10 @@ class SubstepsTest {
         FloatBuffer circle = FloatBuffer.allocate(4 * circles);
         FloatBuffer velocities = FloatBuffer.allocate(2 * circles);
         for (int i = 0; i < circles; i++) {
-            circle.put(4 * i, 0.5f).put(4 * i + 1, 0.5f).put(4 * i + 2, RADIUS).put(4 * i + 3, 1);
+            circle.put(4 * i, 0.5f).put(4 * i + 1, 0.5f).put(4 * i + 2, RADIUS);
             velocities.put(2 * i, i == 0 ? firstX : vx);
         }
-        Population population = Population.of(circle, circles);
+        Population population = Population.of(circle, null, circles);
         Motion motion = new Motion();
         population.motion(velocities, null, motion);
         Levels levels = Levels.all(CONFIG, population)[0];

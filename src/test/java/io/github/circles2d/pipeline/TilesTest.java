@@ -84,6 +84,6 @@ class TilesTest {
         for (int i = 0; i < circles; i++) {
             circle.put(4 * i + 2, i == 0 ? least : i % 100 == 1 ? Math.min(0.5f, ratio * least) : 1.1f * least);
         }
-        return Population.of(circle, circles);
+        return Population.of(circle, null, circles);
     }
 }

@@ -1,17 +1,17 @@
-package io.github.circles2d.host;
+package io.github.circles2d.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import io.github.circles2d.pipeline.Tuning;
 import java.util.Arrays;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -23,7 +23,7 @@ class WorkersTest {
 
     @Test
     void everyItemIsDoneOnceInEachOfManyRuns() {
-        Workers workers = new Workers();
+        Workers workers = new Workers(Tuning.HOST_ITEMS, Integer.MAX_VALUE);
         int[] done = new int[ITEMS];
         Workers.Work work = (part, from, end) -> {
             assertTrue(part < workers.most());
@@ -52,7 +52,7 @@ class WorkersTest {
 
     @Test
     void partsAreInTheOrderOfTheItems() {
-        Workers workers = new Workers();
+        Workers workers = new Workers(Tuning.HOST_ITEMS, Integer.MAX_VALUE);
         int[] begins = new int[workers.most()];
         int[] ends = new int[workers.most()];
         workers.runUneven(ITEMS, (part, from, end) -> {
@@ -68,8 +68,26 @@ class WorkersTest {
     }
 
     @Test
+    void noMoreThreadsAtOnceThanAskedFor() {
+        for (int threads = 1; threads <= 3; threads++) {
+            Workers workers = new Workers(1, threads);
+            AtomicInteger working = new AtomicInteger();
+            AtomicInteger most = new AtomicInteger();
+            for (int run = 0; run < 200; run++) {
+                workers.runUneven(ITEMS, (part, from, end) -> {
+                    most.accumulateAndGet(working.incrementAndGet(), Math::max);
+                    LockSupport.parkNanos(10_000);
+                    working.decrementAndGet();
+                });
+            }
+            assertTrue(most.get() <= threads, most + " of " + threads);
+            assertTrue(threads == 1 || ForkJoinPool.getCommonPoolParallelism() < 1 || most.get() > 1, "never helped");
+        }
+    }
+
+    @Test
     void whatAPartThrowsReachesTheCallerAndTheNextRunIsWhole() {
-        Workers workers = new Workers();
+        Workers workers = new Workers(Tuning.HOST_ITEMS, Integer.MAX_VALUE);
         IllegalStateException failure = new IllegalStateException("in the second part");
         for (int turn = 0; turn < 50; turn++) {
             assertSame(

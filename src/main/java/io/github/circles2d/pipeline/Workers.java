@@ -1,6 +1,5 @@
-package io.github.circles2d.host;
+package io.github.circles2d.pipeline;
 
-import io.github.circles2d.pipeline.Tuning;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.ForkJoinTask;
 import java.util.concurrent.RejectedExecutionException;
@@ -9,12 +8,12 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * Shares the work of a stage among the threads of Java's common pool, in parts that touch nothing in common: who does which
+ * Shares work among threads of Java's common pool, in parts that touch nothing in common: who does which
  * leaves no trace. Allocates nothing after its first use.
  */
-final class Workers {
+public final class Workers {
     /** Does items {@code from .. end - 1}, as part number {@code part}. */
-    interface Work {
+    public interface Work {
         void run(int part, int from, int end);
     }
 
@@ -64,24 +63,34 @@ final class Workers {
         }
     }
 
-    private final Helper[] helpers = new Helper[ForkJoinPool.getCommonPoolParallelism()];
-    private final Throwable[] failures = new Throwable[Math.min(0xFFFF, (1 + helpers.length) * Tuning.HOST_PARTS)];
+    private final Helper[] helpers;
+    private final Throwable[] failures;
 
     /** Of a run: its number, the parts it has, and how many of them have been taken, in one so that they change at once. */
     private final AtomicLong taken = new AtomicLong();
 
     private final AtomicInteger undone = new AtomicInteger();
+    private final int fewest;
     private Work work;
     private int items;
 
-    Workers() {
+    /**
+     * For work that is shared in parts of some items.
+     *
+     * @param fewest least items of a part
+     * @param threads most that work, the one that calls included; the pool may have fewer
+     */
+    public Workers(int fewest, int threads) {
+        this.fewest = fewest;
+        helpers = new Helper[Math.min(ForkJoinPool.getCommonPoolParallelism(), threads - 1)];
+        failures = new Throwable[Math.min(0xFFFF, (1 + helpers.length) * Tuning.HOST_PARTS)];
         for (int k = 0; k < helpers.length; k++) {
             helpers[k] = new Helper();
         }
     }
 
     /** Most parts of a run. */
-    int most() {
+    public int most() {
         return failures.length;
     }
 
@@ -89,17 +98,17 @@ final class Workers {
      * Does {@code items} items that take as long as each other, few of them in this thread alone; returns when all are done. As many
      * parts as threads: most then find in their cache what they did before.
      */
-    void run(int items, Work work) {
+    public void run(int items, Work work) {
         run(items, work, 1 + helpers.length);
     }
 
     /** The same of items some of which take much longer than others. */
-    void runUneven(int items, Work work) {
+    public void runUneven(int items, Work work) {
         run(items, work, most());
     }
 
     private void run(int newItems, Work newWork, int mostParts) {
-        int parts = Math.min(mostParts, newItems / Tuning.HOST_ITEMS);
+        int parts = Math.min(mostParts, newItems / fewest);
         if (parts <= 1) {
             newWork.run(0, 0, newItems);
             return;
