@@ -7,6 +7,7 @@ import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Solver;
 import io.github.circles2d.bench.Layout;
 import io.github.circles2d.demo.Scene;
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.DeviceState;
 import io.github.circles2d.pipeline.Pipeline;
 import io.github.circles2d.pipeline.Population;
@@ -68,12 +69,16 @@ public final class StageTimes {
                 velocities.put(2 * i, now.vx(i)).put(2 * i + 1, now.vy(i));
             }
         }
+        Changes changed = new Changes();
+        for (int i = 0; i < circles; i++) {
+            changed.add(i);
+        }
         boolean small = config.solver() == Solver.SMALL_STEPS;
         try (DeviceState stages = small ? new OpenClSmallStages(device, config) : new OpenClStages(device, config)) {
             Stepper stepper = small
                     ? new SmallPipeline(settling, (OpenClSmallStages) stages)
                     : new Pipeline((OpenClStages) stages);
-            stepper.upload(Population.of(transforms, masses, circles), velocities);
+            stepper.upload(Population.of(transforms, masses, circles), velocities, changed);
             for (int step = 0; step < before; step++) {
                 stepper.step();
                 stepper.await();
@@ -82,7 +87,7 @@ public final class StageTimes {
             if (perSecond != 60) {
                 stages.download(transforms, velocities);
                 stepper = new SmallPipeline(config, (OpenClSmallStages) stages);
-                stepper.upload(Population.of(transforms, masses, circles), velocities);
+                stepper.upload(Population.of(transforms, masses, circles), velocities, changed);
             }
             Map<String, LongSummaryStatistics> times = new LinkedHashMap<>();
             long span = 0;

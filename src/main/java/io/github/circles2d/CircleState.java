@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.CircleBuffers;
 import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.Radii;
@@ -18,6 +19,7 @@ final class CircleState implements Snapshot {
     private CircleBuffers hidden;
 
     private final Radii radii = new Radii();
+    private final Changes changes = new Changes();
 
     CircleState(int capacity, boolean background) {
         masses = CircleBuffers.grown(null, 1, capacity);
@@ -51,6 +53,12 @@ final class CircleState implements Snapshot {
 
     void setVelocity(int slot, float vx, float vy) {
         shown.velocities().put(2 * slot, vx).put(2 * slot + 1, vy);
+        changes.add(slot);
+    }
+
+    /** Those that the device has not seen as they are: whoever sends them clears it. */
+    Changes changes() {
+        return changes;
     }
 
     /** What is shown. */

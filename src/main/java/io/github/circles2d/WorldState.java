@@ -9,6 +9,7 @@ import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Stepper;
 import io.github.circles2d.pipeline.WorldConfig;
+import java.nio.FloatBuffer;
 
 /** What a world holds: its circles on the host and on the device, which of them are newer, and who makes the steps. Not thread-safe. */
 final class WorldState {
@@ -25,6 +26,8 @@ final class WorldState {
     /** The state on the host has changes that the device has not seen. */
     private boolean changed = true;
 
+    /** How many circles the device holds. */
+    private int sent = -1;
     /** An upload has failed half-way: what the device holds is neither the old state nor the new. */
     private boolean lost;
 
@@ -137,9 +140,17 @@ final class WorldState {
         if (background != null) {
             background.target(circles.reserveHidden());
         }
+        FloatBuffer velocities = circles.shown().velocities();
+        boolean all = lost || sent != circles.count();
         lost = true;
-        stepper.upload(circles.population(), circles.shown().velocities());
+        if (all) {
+            stepper.upload(circles.population(), velocities, circles.changes());
+        } else {
+            stepper.velocities(velocities, circles.changes());
+        }
         lost = false;
+        sent = circles.count();
+        circles.changes().clear();
         changed = false;
     }
 

@@ -1,5 +1,6 @@
 package io.github.circles2d.host;
 
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.Population;
@@ -46,6 +47,11 @@ public final class HostSmallStages implements SmallStages {
     @Override
     public void use(Levels levels) {
         state.levels = levels;
+    }
+
+    @Override
+    public void velocities(FloatBuffer velocities, Changes changed) {
+        state.velocities(velocities, changed);
     }
 
     @Override

@@ -1,6 +1,7 @@
 package io.github.circles2d.host;
 
 import io.github.circles2d.pipeline.CellGrid;
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.Status;
@@ -39,6 +40,11 @@ public final class HostStages implements Stages {
         if (contacts.cellStart.length < cells.cells() + 1) {
             contacts.cellStart = new int[cells.cells() + 1];
         }
+    }
+
+    @Override
+    public void velocities(FloatBuffer velocities, Changes changed) {
+        state.velocities(velocities, changed);
     }
 
     @Override

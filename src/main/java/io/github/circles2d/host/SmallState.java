@@ -1,5 +1,6 @@
 package io.github.circles2d.host;
 
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.Population;
@@ -69,6 +70,15 @@ final class SmallState {
         }
         circles = count;
         levels = newLevels;
+    }
+
+    /** The same where velocities alone are others. */
+    void velocities(FloatBuffer newVelocities, Changes changed) {
+        published.velocities(newVelocities, changed);
+        for (int p = 0; p < circles; p++) {
+            body[BODY * p + VX] = published.velocities[2 * id[p]];
+            body[BODY * p + VY] = published.velocities[2 * id[p] + 1];
+        }
     }
 
     private void grow(int room) {

@@ -1,5 +1,6 @@
 package io.github.circles2d.host;
 
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.CircleBuffers;
 import io.github.circles2d.pipeline.Population;
 import java.nio.FloatBuffer;
@@ -25,6 +26,14 @@ final class State {
         }
         newVelocities.get(0, velocities, 0, 2 * count);
         circles = count;
+    }
+
+    void velocities(FloatBuffer newVelocities, Changes changed) {
+        changed.rewind(circles, 0);
+        while (changed.next()) {
+            int first = 2 * changed.from();
+            newVelocities.get(first, velocities, first, 2 * changed.end() - first);
+        }
     }
 
     void download(FloatBuffer transforms, FloatBuffer toVelocities) {

@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.Levels;
 import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.Population;
@@ -56,6 +57,12 @@ final class OpenClSmallStages implements SmallStages {
         kernels.use(newUsed);
         kernels.load(lastTurn(), placed);
         placed = newUsed.circles;
+    }
+
+    @Override
+    public void velocities(FloatBuffer velocities, Changes changed) {
+        state.velocities(velocities, changed);
+        kernels.load(lastTurn(), placed);
     }
 
     @Override

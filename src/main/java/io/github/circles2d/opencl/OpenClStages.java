@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.CellGrid;
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.Stages;
@@ -122,6 +123,11 @@ final class OpenClStages implements Stages {
         }
         colour.bind(state, contacts, cells, config.restitution(), group, oneGroup);
         resolve.bind(config, state, contacts, cells, group, oneGroup);
+    }
+
+    @Override
+    public void velocities(FloatBuffer velocities, Changes changed) {
+        state.velocities(velocities, changed);
     }
 
     @Override

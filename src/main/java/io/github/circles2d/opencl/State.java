@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Changes;
 import io.github.circles2d.pipeline.Motion;
 import io.github.circles2d.pipeline.Population;
 import io.github.circles2d.pipeline.Status;
@@ -79,8 +80,16 @@ final class State {
         }
         circles = count;
         stagedWhole = false;
-        write(circleAt, population.transforms(), population.masses(), StagedCircles.TRANSFORM);
-        write(velocitiesAt, newVelocities, null, StagedCircles.VELOCITY);
+        write(circleAt, population.transforms(), population.masses(), StagedCircles.TRANSFORM, 0, count);
+        write(velocitiesAt, newVelocities, null, StagedCircles.VELOCITY, 0, count);
+    }
+
+    void velocities(FloatBuffer newVelocities, Changes changed) {
+        stagedWhole = false;
+        changed.rewind(circles, Tuning.CHANGED_APART);
+        while (changed.next()) {
+            write(velocitiesAt, newVelocities, null, StagedCircles.VELOCITY, changed.from(), changed.end());
+        }
     }
 
     /** What the device says of itself. Waits for all that is queued; a small world that is to be read comes back whole. */
@@ -133,17 +142,17 @@ final class State {
         return staging.room() / (4 * floats);
     }
 
-    /** Writes a part of the whole, as much at a time as the staging memory has room for. */
-    private void write(long to, FloatBuffer from, FloatBuffer masses, int floats) {
+    /** Writes circles {@code begin .. end - 1} of a part of the whole, as many at a time as the staging memory has room for. */
+    private void write(long to, FloatBuffer from, FloatBuffer masses, int floats, int begin, int end) {
         int most = mostStaged(floats);
-        for (int first = 0; first < circles; first += most) {
-            int some = Math.min(circles - first, most);
+        for (int first = begin; first < end; first += most) {
+            int some = Math.min(end - first, most);
             staged.toStaging(from, masses, floats, first, some);
             whole.write(to + 4L * floats * first, staging.pointer(), 4L * floats * some);
         }
     }
 
-    /** The same way back. */
+    /** All of them the same way back. */
     private void read(long from, FloatBuffer to, int floats) {
         int most = mostStaged(floats);
         for (int first = 0; first < circles; first += most) {

@@ -5,6 +5,14 @@ import java.nio.FloatBuffer;
 /** A world's state on one device. Not thread-safe. */
 public interface DeviceState extends AutoCloseable {
     /**
+     * Replaces velocities of circles that are there. Waits.
+     *
+     * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
+     * @param changed whose are others
+     */
+    void velocities(FloatBuffer velocities, Changes changed);
+
+    /**
      * Reads the circles. Waits.
      *
      * @param transforms (x, y, radius, 0) a circle, world units; direct, native order, written from 0

@@ -60,11 +60,18 @@ public final class Motion {
         }
     }
 
-    /** Starts anew, but keeps how far they have come {@code before}, which may be this one; null: nobody knows. */
+    /** Goes on from how they moved {@code before}, which may be this one; null: of no circle. */
     void begin(Motion before) {
-        float square = before == null ? Float.POSITIVE_INFINITY : before.most[MOVED_SQUARE];
-        clear();
-        most[MOVED_SQUARE] = square;
+        if (before == null) {
+            clear();
+        } else {
+            System.arraycopy(before.most, 0, most, 0, NUMBERS);
+        }
+    }
+
+    /** Nobody knows how far one may have come in the step. */
+    void anyFar() {
+        most[MOVED_SQUARE] = Float.POSITIVE_INFINITY;
     }
 
     /** Highest speed, radii a second. */

@@ -19,8 +19,13 @@ public final class Pipeline implements Stepper {
     }
 
     @Override
-    public void upload(Population population, FloatBuffer velocities) {
+    public void upload(Population population, FloatBuffer velocities, Changes changed) {
         stages.upload(population, velocities);
+    }
+
+    @Override
+    public void velocities(FloatBuffer velocities, Changes changed) {
+        stages.velocities(velocities, changed);
     }
 
     /** Queues one step; waits only when {@link Tuning#STEPS_IN_FLIGHT} are queued. */

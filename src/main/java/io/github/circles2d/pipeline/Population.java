@@ -42,14 +42,9 @@ public record Population(
         }
     }
 
-    /**
-     * Says how circles move whose velocities are not, or not all, those after a step. The arithmetic is that of {@code c2d_publish}.
-     *
-     * @param before says how far they have come in the last step; null where nobody knows
-     */
-    void motion(FloatBuffer velocities, Motion before, Motion motion) {
-        motion.begin(before);
-        for (int i = 0; i < circles; i++) {
+    /** Says how circles {@code from .. end - 1} move, whose velocities are not those after a step. The arithmetic is that of {@code c2d_publish}. */
+    void motion(FloatBuffer velocities, int from, int end, Motion motion) {
+        for (int i = from; i < end; i++) {
             motion.add(velocities.get(2 * i), velocities.get(2 * i + 1), transforms.get(4 * i + 2), 0, 0);
         }
     }

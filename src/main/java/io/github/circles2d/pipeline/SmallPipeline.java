@@ -45,17 +45,36 @@ public final class SmallPipeline implements Stepper {
     }
 
     @Override
-    public void upload(Population circles, FloatBuffer velocities) {
+    public void upload(Population circles, FloatBuffer velocities, Changes changed) {
         // as many as before have moved since only by steps: what is listed of them holds
         boolean more = population == null || circles.circles() != population.circles();
         population = circles;
         skin = more ? -1 : skin;
-        population.motion(velocities, more ? null : motion, uploaded);
-        motion = uploaded;
+        uploaded.begin(motion);
+        if (more) {
+            uploaded.anyFar();
+        }
+        moves(velocities, changed);
         boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
         used = levels[wide ? levels.length - 1 : 0];
         stages.upload(population, velocities, levels, used);
+    }
+
+    @Override
+    public void velocities(FloatBuffer velocities, Changes changed) {
+        uploaded.begin(motion);
+        moves(velocities, changed);
+        stages.velocities(velocities, changed);
+    }
+
+    /** Those that others have slowed down count as they were: to know how all move, all would have to be looked at. */
+    private void moves(FloatBuffer velocities, Changes changed) {
+        changed.rewind(population.circles(), 0);
+        while (changed.next()) {
+            population.motion(velocities, changed.from(), changed.end(), uploaded);
+        }
+        motion = uploaded;
     }
 
     /** The farthest that a circle is expected to come in the next step, world units: as far again, or as its speed says. */

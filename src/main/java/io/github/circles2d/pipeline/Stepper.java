@@ -10,8 +10,12 @@ public interface Stepper {
      *
      * @param population the circles
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
+     * @param changed those that have come, and those whose velocity is another
      */
-    void upload(Population population, FloatBuffer velocities);
+    void upload(Population population, FloatBuffer velocities, Changes changed);
+
+    /** The same where no circle has come: velocities alone. Waits. */
+    void velocities(FloatBuffer velocities, Changes changed);
 
     /** Queues one step. */
     void step();

@@ -86,6 +86,12 @@ public final class Tuning {
     /** Threads that copy at most, the one that waits for it included. 1 to 64: a few use up what memory gives. */
     public static final int COPY_THREADS = 8;
 
+    /** Circles of which, where the velocity of one is set, those of all are sent to the device. 1 to 2^14: a bit for so many. */
+    public static final int CHANGED_TOGETHER = 1 << 8;
+
+    /** Circles between two such up to which they are sent too: a transfer takes as long as 8 bytes of some 16,000. 0 to 2^16. */
+    public static final int CHANGED_APART = 1 << 14;
+
     /** Steps that may wait in the queue before the caller waits for them, steps. 8 to 256. */
     public static final int STEPS_IN_FLIGHT = 64;
 

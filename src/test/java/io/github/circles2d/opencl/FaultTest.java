@@ -20,6 +20,7 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -351,8 +352,8 @@ class FaultTest {
         assertEquals(List.of("a step failed, and the world was closed"), log.take());
     }
 
-    /** Circles that touch and rest, whose list is kept from the second step on; then one more, in another. */
-    private Circles2D addToAListThatIsKept(Circles2D world) {
+    /** Circles that touch and rest, whose list is kept from the second step on; then a change. */
+    private Circles2D changeAfterAListThatIsKept(Circles2D world, Consumer<Circles2D> change) {
         for (int i = 0; i < 20; i++) {
             world.addCircle(0.1f + 0.04f * i, 0.5f, 0.02f, 1);
         }
@@ -362,29 +363,38 @@ class FaultTest {
         world.step(3);
         world.snapshot();
         assertEquals(listed, faulty.launches("c2d_find_count"), "is kept");
-        world.addCircle(0.3f, 0.51f, 0.02f, 1);
+        change.accept(world);
         return world;
     }
 
     @Test
     void anUploadThatFailsIsDoneAgainAndNothingOfTheListBeforeIsKept() {
+        anyCallOfAStepFails(world -> world.addCircle(0.3f, 0.51f, 0.02f, 1));
+    }
+
+    @Test
+    void velocitiesThatDoNotArriveAreSentAgain() {
+        anyCallOfAStepFails(world -> world.setVelocity(3, 1, 2));
+    }
+
+    private void anyCallOfAStepFails(Consumer<Circles2D> change) {
         Circles2D.Builder resting =
                 Internals.builder(0, 0, 0).device(device).substeps(2).gravity(0, 0);
         faulty.behave();
         long expected;
         List<String> calls;
-        try (Circles2D world = addToAListThatIsKept(resting.build())) {
+        try (Circles2D world = changeAfterAListThatIsKept(resting.build(), change)) {
             int listed = faulty.launches("c2d_find_count");
             faulty.behave();
             world.step();
             calls = faulty.calls();
-            assertTrue(faulty.launches("c2d_find_count") > listed, "the new circle is listed");
+            assertTrue(faulty.launches("c2d_find_count") > listed, "contacts are listed anew");
             expected = world.stateHash();
         }
         int again = 0;
         for (int k = 0; k < calls.size(); k++) {
             faulty.behave();
-            try (Circles2D world = addToAListThatIsKept(resting.build())) {
+            try (Circles2D world = changeAfterAListThatIsKept(resting.build(), change)) {
                 faulty.fail(k, STATUSES.get(k % STATUSES.size()), false);
                 Circles2DException first = failure(world);
                 Circles2DException second = first == null ? null : failure(world);

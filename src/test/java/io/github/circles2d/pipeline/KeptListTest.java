@@ -43,7 +43,8 @@ class KeptListTest {
             masses = SmallSteps.direct(columns * rows);
             velocities = SmallSteps.direct(2 * columns * rows);
             lay(columns, rows);
-            pipeline.upload(Population.of(transforms, masses, columns * rows), velocities);
+            pipeline.upload(
+                    Population.of(transforms, masses, columns * rows), velocities, SmallSteps.all(columns * rows));
         }
 
         /** A square lattice, a hundredth of a radius open, that drifts apart and together: with the skin, diagonals are within reach. */

@@ -54,7 +54,7 @@ class SkinTest {
     }
 
     private void upload() {
-        pipeline.upload(Population.of(transforms, masses, circles), velocities);
+        pipeline.upload(Population.of(transforms, masses, circles), velocities, SmallSteps.all(circles));
     }
 
     private void step() {
@@ -105,7 +105,7 @@ class SkinTest {
     void whereACircleIsFastEveryStepListsItsOwn() {
         settle();
         velocities.put(0, 3).put(1, 1);
-        upload();
+        pipeline.velocities(velocities, SmallSteps.all(1));
         for (int step = 1; step <= 3; step++) {
             detections = 0;
             step();

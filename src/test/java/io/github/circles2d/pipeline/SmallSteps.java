@@ -42,6 +42,15 @@ public final class SmallSteps {
                 8);
     }
 
+    /** All circles, as those that have come or changed. */
+    static Changes all(int circles) {
+        Changes all = new Changes();
+        for (int i = 0; i < circles; i++) {
+            all.add(i);
+        }
+        return all;
+    }
+
     /** Memory for so many floats as stages take it: direct, native order. */
     public static FloatBuffer direct(int floats) {
         return ByteBuffer.allocateDirect(4 * floats)

@@ -22,7 +22,7 @@ class SubstepsTest {
         }
         Population population = Population.of(circle, null, circles);
         Motion motion = new Motion();
-        population.motion(velocities, null, motion);
+        population.motion(velocities, 0, circles, motion);
         Levels levels = Levels.all(CONFIG, population)[0];
         return Substeps.of(CONFIG, 64).perDetection(CONFIG, population, motion, levels);
     }
@@ -61,15 +61,20 @@ class SubstepsTest {
     }
 
     @Test
-    void howFarTheyHaveComeOutlivesNewVelocities() {
+    void newVelocitiesAddToHowTheyMovedBefore() {
+        Motion before = new Motion();
+        before.add(1, 2, 3, 0.3f, 0.4f);
         Motion motion = new Motion();
-        motion.begin(null);
-        assertEquals(Float.POSITIVE_INFINITY, motion.moved());
-        motion.clear();
-        motion.add(1, 2, 3, 0.3f, 0.4f);
-        motion.begin(motion);
+        motion.begin(before);
+        motion.add(-3, 0, 3, 0, 0);
         assertEquals(0.5f, motion.moved(), 1e-6f);
-        assertEquals(0, motion.fastest());
-        assertEquals(0, motion.closing());
+        assertEquals(1, motion.fastest());
+        assertEquals(Math.hypot(1 + 3, 2), motion.closing(), 1e-6f);
+        assertEquals(Math.hypot(1, 2), before.speed(), 1e-6f);
+        motion.anyFar();
+        assertEquals(Float.POSITIVE_INFINITY, motion.moved());
+        motion.begin(null);
+        assertEquals(0, motion.speed());
+        assertEquals(0, motion.moved());
     }
 }

@@ -1,0 +1,52 @@
+package io.github.circles2d.pipeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+
+class ChangesTest {
+    @Test
+    void runsHoldEachChangeOnceAndLittleElse() {
+        SplittableRandom random = new SplittableRandom(1);
+        Changes changes = new Changes();
+        int several = 0;
+        for (int world = 0; world < 500; world++) {
+            int circles = 1 + random.nextInt(world % 2 == 0 ? 3000 : 300_000);
+            TreeSet<Integer> left = new TreeSet<>();
+            for (int k = random.nextInt(12); k > 0; k--) {
+                left.add(random.nextInt(circles));
+            }
+            left.forEach(changes::add);
+            int apart = world % 3 * 20_000;
+            int before = -apart - 1;
+            int runs = 0;
+            for (changes.rewind(circles, apart); changes.next(); runs++) {
+                int gap = changes.from() - before;
+                assertTrue(gap > apart - Tuning.CHANGED_TOGETHER, "runs so near each other are one");
+                assertTrue(changes.from() < changes.end() && changes.end() <= circles);
+                assertTrue(left.first() - changes.from() < Tuning.CHANGED_TOGETHER);
+                int last = changes.from();
+                while (!left.isEmpty() && left.first() < changes.end()) {
+                    int next = left.pollFirst();
+                    assertTrue(next - last < apart + 2 * Tuning.CHANGED_TOGETHER, "too much besides");
+                    last = next;
+                }
+                assertTrue(changes.end() - last <= Tuning.CHANGED_TOGETHER);
+                before = changes.end();
+            }
+            assertEquals(0, left.size());
+            several += runs > 1 ? 1 : 0;
+            // a second time they are the same
+            changes.rewind(circles, apart);
+            assertEquals(runs > 0, changes.next());
+            changes.clear();
+            changes.rewind(circles, apart);
+            assertFalse(changes.next());
+        }
+        assertTrue(several > 50, "worlds of several runs: " + several);
+    }
+}
