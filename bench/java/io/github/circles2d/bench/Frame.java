@@ -6,6 +6,8 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.openjdk.jmh.runner.options.CommandLineOptionException;
 
 /**
@@ -19,23 +21,43 @@ import org.openjdk.jmh.runner.options.CommandLineOptionException;
  * mvn -q -Pbench verify -Dbench.args="Frame --device gpu --circles 1000,100000 --work 0,4 --out target/frame"
  * }</pre>
  *
- * <p>Further names: {@code --substeps} (8), {@code --background} (false,true: whether the world makes its steps on a thread of its
+ * <p>Further names: {@code --substeps} (8), {@code --kicks} (0: circles whose velocity is set before each step), {@code --background} (false,true: whether the world makes its steps on a thread of its
  * own). What else there is goes to JMH. Figures are added to those that are in the folder;
  * {@code --draw} measures nothing.
  */
 public final class Frame {
     private Frame() {}
 
+    /** What is measured with each number of circles. */
+    private record Way(String device, String substeps, String background, String kicks, String work) {
+        Object[] row(int circles, Object... figures) {
+            return Stream.concat(Stream.of(device, substeps, background, kicks, work, circles), Stream.of(figures))
+                    .toArray();
+        }
+
+        Optional<Map<String, String>> in(Rows rows, int circles) {
+            return rows.row(row(circles));
+        }
+
+        String label(Rows rows) {
+            return device + ", work " + work + " ms"
+                    + (rows.values("substeps").size() > 1 ? ", substeps " + named(substeps) : "")
+                    + (kicks.equals("0") ? "" : ", " + kicks + " set")
+                    + (background.equals("true") ? ", background" : "");
+        }
+    }
+
     /** As the class comment says. */
     public static void main(String[] arguments) throws IOException, CommandLineOptionException {
-        Args args = Args.parse(arguments, "work", "substeps", "background");
+        Args args = Args.parse(arguments, "work", "substeps", "background", "kicks");
         Path folder = args.folder();
         Rows rows = new Rows(
                 folder.resolve("frame.csv"),
-                5,
+                6,
                 "device",
                 "substeps",
                 "background",
+                "kicks",
                 "work",
                 "circles",
                 "frame ms",
@@ -50,8 +72,11 @@ public final class Frame {
             for (ComputeDevice device : Machine.devices(args)) {
                 for (String substeps : args.list("substeps", "8")) {
                     for (String background : args.list("background", "false", "true")) {
-                        for (String work : args.list("work", "0", "1", "4", "10")) {
-                            measure(args, rows, device, substeps, background, work);
+                        for (String kicks : args.list("kicks", "0")) {
+                            for (String work : args.list("work", "0", "1", "4", "10")) {
+                                Way way = new Way(Machine.label(device), substeps, background, kicks, work);
+                                measure(args, rows, device, way);
+                            }
                         }
                     }
                 }
@@ -60,10 +85,8 @@ public final class Frame {
         write(rows, folder);
     }
 
-    private static void measure(
-            Args args, Rows rows, ComputeDevice device, String substeps, String background, String work)
+    private static void measure(Args args, Rows rows, ComputeDevice device, Way way)
             throws IOException, CommandLineOptionException {
-        String name = Machine.label(device);
         int limit = args.limit(60);
         double frame = 0;
         int before = 1;
@@ -71,26 +94,21 @@ public final class Frame {
             double expected = frame / 1000 * circles / before;
             // ten steps to settle, and a frame at least
             if (expected * 11 > limit) {
-                rows.put(
-                        name,
-                        substeps,
-                        background,
-                        work,
-                        circles,
-                        "left out: expected to take more than " + limit + " s");
+                rows.put(way.row(circles, "left out: expected to take more than " + limit + " s"));
                 continue;
             }
             Map<String, String> parameters = new LinkedHashMap<>();
             parameters.put("device", Machine.index(device));
             parameters.put("circles", String.valueOf(circles));
-            parameters.put("work", work);
-            parameters.put("substeps", substeps);
-            parameters.put("background", background);
+            parameters.put("work", way.work);
+            parameters.put("kicks", way.kicks);
+            parameters.put("substeps", way.substeps);
+            parameters.put("background", way.background);
             double iteration = expected == 0 ? 0 : Math.max(1, expected);
             JmhCell cell =
                     JmhCell.run(FrameStep.class, args, parameters, iteration, limit - (int) (expected * 10), "gc");
             if (cell.failure() != null) {
-                rows.put(name, substeps, background, work, circles, cell.failure());
+                rows.put(way.row(circles, cell.failure()));
                 // larger ones would do no better
                 frame = Double.MAX_VALUE;
                 continue;
@@ -100,18 +118,14 @@ public final class Frame {
             double frames = cell.secondary("frames");
             double step = cell.secondary("stepNanos") / frames / 1000;
             double snapshot = cell.secondary("snapshotNanos") / frames / 1000;
-            rows.put(
-                    name,
-                    substeps,
-                    background,
-                    work,
+            rows.put(way.row(
                     circles,
                     frame,
                     step,
                     snapshot,
                     step + snapshot,
                     cell.secondary("gc.alloc.rate.norm"),
-                    cell.secondary("heapBytes") / frames);
+                    cell.secondary("heapBytes") / frames));
         }
     }
 
@@ -119,7 +133,7 @@ public final class Frame {
         Markdown page = Markdown.page("What a game pays for a frame", rows)
                 .paragraph(
                         "step(), some work of the game's own on the same thread, snapshot(): a pile that lies ready, grid(),"
-                                + " SMALL_STEPS. Wait is the time in the two calls. In the background, a thread of the world's own makes"
+                                + " SMALL_STEPS. Before it, the game sets the velocity of some circles. Wait is the time in the two calls. In the background, a thread of the world's own makes"
                                 + " the steps. Bytes from the heap: what JMH's profiler sees, its"
                                 + " own included, and what the game's thread takes in the two calls.")
                 .table(
@@ -127,6 +141,7 @@ public final class Frame {
                         "device",
                         "substeps",
                         "background",
+                        "velocities set",
                         "circles",
                         "work, ms",
                         "frame, ms",
@@ -141,13 +156,17 @@ public final class Frame {
         for (String device : rows.values("device")) {
             for (String substeps : rows.values("substeps")) {
                 for (String background : rows.values("background")) {
-                    for (int n : circles) {
-                        for (int work : works) {
-                            rows.row(device, substeps, background, work, n).ifPresent(row -> add(page, row));
+                    for (String kicks : rows.values("kicks")) {
+                        for (int n : circles) {
+                            for (int work : works) {
+                                new Way(device, substeps, background, kicks, "" + work)
+                                        .in(rows, n)
+                                        .ifPresent(row -> add(page, row));
+                            }
                         }
-                    }
-                    for (int work : works) {
-                        line(chart, rows, circles, device, substeps, background, work);
+                        for (int work : works) {
+                            line(chart, rows, circles, new Way(device, substeps, background, kicks, "" + work));
+                        }
                     }
                 }
             }
@@ -156,29 +175,22 @@ public final class Frame {
         page.picture("What a game's thread waits in a frame", "frame.png").save(folder.resolve("frame.md"));
     }
 
-    private static void line(
-            Chart chart,
-            Rows rows,
-            List<Integer> circles,
-            String device,
-            String substeps,
-            String background,
-            int work) {
-        int colour = rows.values("device").indexOf(device)
+    private static void line(Chart chart, Rows rows, List<Integer> circles, Way way) {
+        int colour = rows.values("device").indexOf(way.device)
                         * rows.values("background").size()
-                + rows.values("background").indexOf(background);
-        int stroke =
-                rows.values("substeps").indexOf(substeps) * rows.numbers("work").size()
-                        + rows.numbers("work").indexOf(work);
+                + rows.values("background").indexOf(way.background);
+        int stroke = (rows.values("substeps").indexOf(way.substeps)
+                                        * rows.values("kicks").size()
+                                + rows.values("kicks").indexOf(way.kicks))
+                        * rows.values("work").size()
+                + rows.values("work").indexOf(way.work);
         chart.line(
-                device + ", work " + work + " ms"
-                        + (rows.values("substeps").size() > 1 ? ", substeps " + named(substeps) : "")
-                        + (background.equals("true") ? ", background" : ""),
+                way.label(rows),
                 colour,
                 stroke,
                 circles,
                 circles.stream()
-                        .map(n -> rows.row(device, substeps, background, work, n)
+                        .map(n -> way.in(rows, n)
                                 .map(row -> thousandth(row.get("wait us")))
                                 .orElse(""))
                         .toList());
@@ -193,6 +205,7 @@ public final class Frame {
                 row.get("device"),
                 named(row.get("substeps")),
                 row.get("background").equals("true") ? "yes" : "no",
+                row.get("kicks"),
                 Markdown.count(row.get("circles")),
                 row.get("work"),
                 Markdown.figure(row.get("frame ms")),

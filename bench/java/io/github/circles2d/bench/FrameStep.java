@@ -64,6 +64,10 @@ public class FrameStep {
     @Param("8")
     public int substeps;
 
+    /** Circles whose velocity the game sets before the step, all over the world and others in each frame. */
+    @Param("0")
+    public int kicks;
+
     /** Whether the world has a thread of its own for its steps. */
     @Param({"false", "true"})
     public boolean background;
@@ -107,6 +111,9 @@ public class FrameStep {
     @Benchmark
     public Snapshot frame(Sums sums) {
         long heap = THREADS.getCurrentThreadAllocatedBytes();
+        for (int k = 0; k < kicks; k++) {
+            world.setVelocity((int) ((7919L * k + sums.frames) % circles), 0, 0);
+        }
         long start = System.nanoTime();
         world.step();
         long stepped = System.nanoTime();

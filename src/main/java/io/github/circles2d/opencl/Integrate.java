@@ -7,15 +7,19 @@ final class Integrate {
     /** Local memory of what is found out at the end of a step, bytes. */
     static final int MOST_BYTES = 4 * Motion.NUMBERS;
 
+    private final Kernel load;
     private final Kernel integrate;
     private final Kernel publish;
 
     Integrate(Session session, Program program) {
+        load = new Kernel(session, program, "c2d_load");
         integrate = new Kernel(session, program, "c2d_integrate");
         publish = new Kernel(session, program, "c2d_integrate");
     }
 
     void bind(SmallWorld world) {
+        State state = world.state();
+        load.arguments(world.known(), state.circle, state.velocities).range(state.circles, world.group());
         bind(integrate, world, 0);
         bind(publish, world, 1);
     }
@@ -24,6 +28,12 @@ final class Integrate {
         State state = world.state();
         kernel.arguments(world.known(), publishes, state.circle, state.velocities, new Kernel.Local(MOST_BYTES))
                 .range(state.circles, world.group());
+    }
+
+    /** Takes circles from the state, of which so many have a place already. Of the turn of the last detection. */
+    void load(int placed) {
+        load.more(placed);
+        load.launch();
     }
 
     /** The end of a substep. */

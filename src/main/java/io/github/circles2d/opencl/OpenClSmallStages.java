@@ -55,14 +55,14 @@ final class OpenClSmallStages implements SmallStages {
         }
         kernels.levels(newLevels);
         kernels.use(newUsed);
-        kernels.load(lastTurn(), placed);
+        now().integrate.load(placed);
         placed = newUsed.circles;
     }
 
     @Override
     public void velocities(FloatBuffer velocities, Changes changed) {
         state.velocities(velocities, changed);
-        kernels.load(lastTurn(), placed);
+        now().integrate.load(placed);
     }
 
     @Override
