@@ -169,7 +169,7 @@ public final class Circles2D implements AutoCloseable {
 
     /**
      * One time step. Queues the work and need not wait for it. In the background it never does, however many earlier steps are not done
-     * yet, unless circles were added or velocities set since the last: those it sends to the device first.
+     * yet, unless circles were added since the last: those it sends to the device first.
      */
     public synchronized void step() {
         step(1);

@@ -116,6 +116,11 @@ final class WorldState {
     }
 
     void step(int count) {
+        if (background != null && changed && !allAreNew()) {
+            // nobody changes them, or shows others, before that step is done
+            background.velocities(circles.shown().velocities(), circles.changes());
+            changed = false;
+        }
         upload();
         fresh = false;
         if (background != null) {
@@ -132,16 +137,21 @@ final class WorldState {
         steps += count;
     }
 
+    /** The device has other circles, or nobody knows what it has. */
+    private boolean allAreNew() {
+        return lost || sent != circles.count();
+    }
+
     private void upload() {
         if (!changed) {
             return;
         }
         settle();
-        if (background != null) {
+        boolean all = allAreNew();
+        if (background != null && all) {
             background.target(circles.reserveHidden());
         }
         FloatBuffer velocities = circles.shown().velocities();
-        boolean all = lost || sent != circles.count();
         lost = true;
         if (all) {
             stepper.upload(circles.population(), velocities, circles.changes());

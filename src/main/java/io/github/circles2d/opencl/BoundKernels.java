@@ -23,6 +23,7 @@ final class BoundKernels {
     private Boolean wide;
     private Program program;
     private final Program solving;
+    private Kernel load;
     private Kernel restore;
     /** The kernels for one work-group, once a world was so small. */
     private Program aloneProgram;
@@ -57,6 +58,7 @@ final class BoundKernels {
         kernels = new SmallKernels[] {
             new SmallKernels(session, program, solving, tables), new SmallKernels(session, program, solving, tables)
         };
+        load = new Kernel(session, program, "c2d_load");
         restore = new Kernel(session, program, "c2d_find_restore");
         wide = wanted;
         if (old != null) {
@@ -127,6 +129,13 @@ final class BoundKernels {
     /** What every kernel of a turn begins with, with the levels in use. */
     Object[] world(int turn) {
         return heap.world(turn, used, state);
+    }
+
+    /** Takes circles from the state, of which so many have a place already; binds nothing else, which may ask for tables. */
+    void load(int turn, int placed) {
+        load.arguments(world(turn), state.circle, state.velocities, placed)
+                .range(state.circles, session.device.group(config))
+                .launch();
     }
 
     /** Puts circles back to where they were before the detection of a turn. */

@@ -19,7 +19,8 @@ final class Integrate {
 
     void bind(SmallWorld world) {
         State state = world.state();
-        load.arguments(world.known(), state.circle, state.velocities).range(state.circles, world.group());
+        load.arguments(world.known(), state.circle, state.velocities, state.circles)
+                .range(state.circles, world.group());
         bind(integrate, world, 0);
         bind(publish, world, 1);
     }
@@ -30,9 +31,8 @@ final class Integrate {
                 .range(state.circles, world.group());
     }
 
-    /** Takes circles from the state, of which so many have a place already. Of the turn of the last detection. */
-    void load(int placed) {
-        load.more(placed);
+    /** Takes circles from the state that have a place already; of the turn of the last detection. */
+    void load() {
         load.launch();
     }
 

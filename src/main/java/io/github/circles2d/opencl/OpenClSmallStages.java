@@ -55,14 +55,14 @@ final class OpenClSmallStages implements SmallStages {
         }
         kernels.levels(newLevels);
         kernels.use(newUsed);
-        now().integrate.load(placed);
+        kernels.load(lastTurn(), placed);
         placed = newUsed.circles;
     }
 
     @Override
     public void velocities(FloatBuffer velocities, Changes changed) {
         state.velocities(velocities, changed);
-        now().integrate.load(placed);
+        now().integrate.load();
     }
 
     @Override

@@ -1,5 +1,6 @@
 package io.github.circles2d.pipeline;
 
+import java.nio.FloatBuffer;
 import java.util.concurrent.locks.LockSupport;
 
 /**
@@ -20,6 +21,10 @@ public final class BackgroundSteps {
     private volatile Throwable failure;
     private volatile Thread waiting;
     private CircleBuffers target;
+    /** Velocities to send before the next step, or null, and whose they are. */
+    private FloatBuffer velocities;
+
+    private Changes changed;
 
     /** Starts the thread. */
     public BackgroundSteps(Stepper stepper, DeviceState stages) {
@@ -34,6 +39,15 @@ public final class BackgroundSteps {
     /** What to read the circles into from now on; with no step under way. */
     public void target(CircleBuffers newTarget) {
         target = newTarget;
+    }
+
+    /**
+     * Velocities that the next step is to begin with; with no step under way. They and what says whose they are must stay as they are
+     * until that step is done; then none of them has changed any more.
+     */
+    public void velocities(FloatBuffer newVelocities, Changes whose) {
+        velocities = newVelocities;
+        changed = whose;
     }
 
     /** Asks for steps; returns at once and allocates nothing. */
@@ -83,11 +97,20 @@ public final class BackgroundSteps {
         }
     }
 
+    private void send() {
+        if (velocities != null) {
+            stepper.velocities(velocities, changed);
+            changed.clear();
+            velocities = null;
+        }
+    }
+
     private void run() {
         try {
             long made = 0;
             while (!ending) {
                 if (made < asked) {
+                    send();
                     stepper.step();
                     made++;
                 } else if (done < made) {

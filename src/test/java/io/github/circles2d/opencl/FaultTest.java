@@ -369,15 +369,17 @@ class FaultTest {
 
     @Test
     void anUploadThatFailsIsDoneAgainAndNothingOfTheListBeforeIsKept() {
-        anyCallOfAStepFails(world -> world.addCircle(0.3f, 0.51f, 0.02f, 1));
+        callsOfAStepFail(Integer.MAX_VALUE, 4, world -> world.addCircle(0.3f, 0.51f, 0.02f, 1));
     }
 
     @Test
     void velocitiesThatDoNotArriveAreSentAgain() {
-        anyCallOfAStepFails(world -> world.setVelocity(3, 1, 2));
+        // one writes them, one takes them over; what the step does then is the same
+        callsOfAStepFail(20, 2, world -> world.setVelocity(3, 1, 2));
     }
 
-    private void anyCallOfAStepFails(Consumer<Circles2D> change) {
+    /** Each of the first {@code most} calls fails; of some of the first the world does not. */
+    private void callsOfAStepFail(int most, int harmless, Consumer<Circles2D> change) {
         Circles2D.Builder resting =
                 Internals.builder(0, 0, 0).device(device).substeps(2).gravity(0, 0);
         faulty.behave();
@@ -392,7 +394,7 @@ class FaultTest {
             expected = world.stateHash();
         }
         int again = 0;
-        for (int k = 0; k < calls.size(); k++) {
+        for (int k = 0; k < Math.min(most, calls.size()); k++) {
             faulty.behave();
             try (Circles2D world = changeAfterAListThatIsKept(resting.build(), change)) {
                 faulty.fail(k, STATUSES.get(k % STATUSES.size()), false);
@@ -407,7 +409,7 @@ class FaultTest {
                 assertEquals(expected, world.stateHash(), fault);
             }
         }
-        assertTrue(again > 3, again + " of " + calls.size() + " faults are before a step begins, and it is done again");
+        assertTrue(again >= harmless, again + " faults are before a step begins, and it is done again");
         log.take();
         assertNothingLeft("after uploads that failed");
     }
