@@ -104,7 +104,7 @@ public final class Tuning {
     public static final int FEW_CIRCLES = 200_000;
 
     /** Work-items of a group that does a tile, about as many as it has contacts of one colour, on a GPU. 32 to 256. */
-    public static final int GPU_TILE_GROUP = 64;
+    public static final int GPU_TILE_GROUP = 32;
 
     /** The same of the first tiling, whose tiles have most of the contacts. */
     public static final int GPU_FIRST_TILE_GROUP = 256;
