@@ -64,7 +64,7 @@ public class FrameStep {
     @Param("8")
     public int substeps;
 
-    /** Circles whose velocity the game sets before the step, all over the world and others in each frame. */
+    /** Circles whose velocity the game sets before the step, to 0, all over the world and others in each frame. */
     @Param("0")
     public int kicks;
 

@@ -56,7 +56,7 @@ final class CircleState implements Snapshot {
         changes.add(slot);
     }
 
-    /** Those that the device has not seen as they are: whoever sends them clears it. */
+    /** Those that are not as the last step left them: cleared with the next. */
     Changes changes() {
         return changes;
     }

@@ -211,8 +211,8 @@ public final class Circles2D implements AutoCloseable {
 
     /**
      * How much of its device's memory the world holds now, bytes, tables of the index strategy included: under {@link
-     * Solver#SMALL_STEPS} with {@link IndexStrategy#grid()} some 220 a circle. Memory of the host, through which circles are read
-     * back, does not count. 0 before the first step and on the host device, whose memory is Java's heap.
+     * Solver#SMALL_STEPS} with {@link IndexStrategy#grid()} some 220 a circle. Memory of the host, through which circles come and
+     * go, does not count. 0 before the first step and on the host device, whose memory is Java's heap.
      */
     public synchronized long deviceMemory() {
         requireUsable();

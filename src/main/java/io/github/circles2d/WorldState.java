@@ -23,9 +23,11 @@ final class WorldState {
 
     /** The state on the host is that of the last step. */
     private boolean fresh = true;
-    /** The state on the host has changes that the device has not seen. */
+    /** The state on the host has changes that the device has not seen, nor has the thread that makes the steps been told of them. */
     private boolean changed = true;
 
+    /** Changes have been sent for a step that has not been asked for yet: whoever sends more names these again. */
+    private boolean sentAhead;
     /** How many circles the device holds. */
     private int sent = -1;
     /** An upload has failed half-way: what the device holds is neither the old state nor the new. */
@@ -120,8 +122,13 @@ final class WorldState {
             // nobody changes them, or shows others, before that step is done
             background.velocities(circles.shown().velocities(), circles.changes());
             changed = false;
+        } else {
+            upload();
+            if (sentAhead) {
+                circles.changes().clear();
+            }
         }
-        upload();
+        sentAhead = false;
         fresh = false;
         if (background != null) {
             background.step(count);
@@ -160,7 +167,7 @@ final class WorldState {
         }
         lost = false;
         sent = circles.count();
-        circles.changes().clear();
+        sentAhead = true;
         changed = false;
     }
 

@@ -138,6 +138,16 @@ final class BoundKernels {
                 .launch();
     }
 
+    /** The same of circles that all have a place; allocates nothing where the kernels of the turn are bound. */
+    void load(int turn) {
+        int index = 2 * used + turn;
+        if (index < kernels.length && kernels[index] != null && kernels[index].bound) {
+            kernels[index].integrate.load();
+        } else {
+            load(turn, state.circles);
+        }
+    }
+
     /** Puts circles back to where they were before the detection of a turn. */
     void restore(int turn) {
         restore.arguments(world(turn))

@@ -62,7 +62,7 @@ final class OpenClSmallStages implements SmallStages {
     @Override
     public void velocities(FloatBuffer velocities, Changes changed) {
         state.velocities(velocities, changed);
-        now().integrate.load();
+        kernels.load(lastTurn());
     }
 
     @Override

@@ -10,15 +10,16 @@ import java.nio.FloatBuffer;
  * million than a GPU takes to send them. Allocates nothing after its first use.
  */
 final class StagedCircles {
-    /** Floats of a circle: the device has (x, y, radius, mass) where the host has transforms; and (vx, vy). */
+    /** Floats of a circle: the device has (x, y, radius, mass) where the host has transforms. */
     static final int TRANSFORM = 4;
 
+    /** The same of (vx, vy). */
     static final int VELOCITY = 2;
 
     private final Staging staging;
     private final Workers workers = new Workers(Tuning.COPY_CIRCLES, Tuning.COPY_THREADS);
-    private final Workers.Work toHost = this::toHost;
-    private final Workers.Work toStaging = this::toStaging;
+    private final Workers.Work copyToHost = this::copyToHost;
+    private final Workers.Work copyToStaging = this::copyToStaging;
 
     // of what is carried now
     private FloatBuffer host;
@@ -38,7 +39,7 @@ final class StagedCircles {
      * @param start the first circle in {@code to}
      */
     void toHost(int from, FloatBuffer to, int width, int start, int circles) {
-        carry(toHost, from, to, null, width, start, circles);
+        carry(copyToHost, from, to, null, width, start, circles);
     }
 
     /**
@@ -47,7 +48,7 @@ final class StagedCircles {
      * @param theirMasses what comes in the place of angles; null of what has none
      */
     void toStaging(FloatBuffer from, FloatBuffer theirMasses, int width, int start, int circles) {
-        carry(toStaging, 0, from, theirMasses, width, start, circles);
+        carry(copyToStaging, 0, from, theirMasses, width, start, circles);
     }
 
     private void carry(
@@ -63,18 +64,20 @@ final class StagedCircles {
         masses = null;
     }
 
-    private void toHost(int part, int from, int end) {
+    private void copyToHost(int part, int from, int end) {
         host.put(floats * (first + from), staging.floats(), staged + floats * from, floats * (end - from));
         if (floats == TRANSFORM) {
             CircleBuffers.setAngles(host, first + from, first + end);
         }
     }
 
-    private void toStaging(int part, int from, int end) {
+    private void copyToStaging(int part, int from, int end) {
         FloatBuffer to = staging.floats();
         to.put(floats * from, host, floats * (first + from), floats * (end - from));
-        for (int i = from; i < end && masses != null; i++) {
-            to.put(TRANSFORM * i + 3, masses.get(first + i));
+        if (masses != null) {
+            for (int i = from; i < end; i++) {
+                to.put(TRANSFORM * i + 3, masses.get(first + i));
+            }
         }
     }
 }

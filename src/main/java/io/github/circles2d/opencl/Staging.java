@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import io.github.circles2d.pipeline.Tuning;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
@@ -8,7 +9,7 @@ import org.jocl.Pointer;
 import org.jocl.cl_mem;
 
 /**
- * Memory of the host through which the state is read back. Where the driver can, it is pinned: a GPU then writes into it by
+ * Memory of the host through which the state is written and read back. Where the driver can, it is pinned: a GPU then writes into it by
  * itself, while for other memory the driver copies piece by piece. It is none of the device's memory. Nobody outside may see it, for it is gone when
  * the session is closed.
  */
@@ -35,9 +36,11 @@ final class Staging implements AutoCloseable {
         if (bytes.capacity() >= wanted) {
             return;
         }
+        // a world may grow a little in each frame
+        int room = Math.max(wanted, (int) Math.min(Tuning.STAGING_BYTES, bytes.capacity() * Tuning.GROWTH));
         release();
-        ByteBuffer pinned = pin(wanted);
-        bytes = (pinned != null ? pinned : ByteBuffer.allocateDirect(wanted)).order(ByteOrder.nativeOrder());
+        ByteBuffer pinned = pin(room);
+        bytes = (pinned != null ? pinned : ByteBuffer.allocateDirect(room)).order(ByteOrder.nativeOrder());
         floats = bytes.asFloatBuffer();
         pointer = Pointer.to(bytes);
     }
@@ -64,7 +67,7 @@ final class Staging implements AutoCloseable {
     }
 
     private static ByteBuffer without(String why) {
-        LOG.log(System.Logger.Level.WARNING, "no pinned memory, reading circles back takes longer: {0}", why);
+        LOG.log(System.Logger.Level.WARNING, "no pinned memory, copies of circles take longer: {0}", why);
         return null;
     }
 

@@ -3,7 +3,7 @@ package io.github.circles2d.pipeline;
 import java.util.BitSet;
 
 /**
- * Which circles the host has changed since they were last sent to the device, {@link Tuning#CHANGED_TOGETHER} at a time. Allocates only
+ * Which circles the host has changed since the last step, {@link Tuning#CHANGED_TOGETHER} at a time. Allocates only
  * where a world grows. Not thread-safe.
  */
 public final class Changes {
@@ -18,7 +18,7 @@ public final class Changes {
         changed.set(circle / Tuning.CHANGED_TOGETHER);
     }
 
-    /** All have been sent. */
+    /** A step has them all. */
     public void clear() {
         changed.clear();
     }
@@ -39,7 +39,7 @@ public final class Changes {
     /** Goes on to the next run; whether there is one. There may be circles in it that have not changed. */
     public boolean next() {
         int lot = changed.nextSetBit((end + Tuning.CHANGED_TOGETHER - 1) / Tuning.CHANGED_TOGETHER);
-        if (lot < 0) {
+        if (lot < 0 || (long) lot * Tuning.CHANGED_TOGETHER >= circles) {
             return false;
         }
         from = lot * Tuning.CHANGED_TOGETHER;

@@ -17,10 +17,13 @@ public final class SmallPipeline implements Stepper {
     private Levels[] levels;
 
     private Levels used;
-    /** How circles move: after a step, or as they were uploaded. */
-    private Motion motion;
+    /** How circles move at most: after the last step, null before the first; with what was uploaded since; that one of them which holds. */
+    private Motion stepped;
 
     private final Motion uploaded = new Motion();
+    private Motion motion;
+    /** Circles have come since that step. */
+    private boolean added;
     /** How much farther they may come with the contacts listed last, world units; less than is coming where the next step lists its own. */
     private float skin = -1;
 
@@ -50,10 +53,7 @@ public final class SmallPipeline implements Stepper {
         boolean more = population == null || circles.circles() != population.circles();
         population = circles;
         skin = more ? -1 : skin;
-        uploaded.begin(motion);
-        if (more) {
-            uploaded.anyFar();
-        }
+        added |= more;
         moves(velocities, changed);
         boolean wide = used != null && used != levels[0];
         levels = Levels.all(config, population);
@@ -63,13 +63,16 @@ public final class SmallPipeline implements Stepper {
 
     @Override
     public void velocities(FloatBuffer velocities, Changes changed) {
-        uploaded.begin(motion);
         moves(velocities, changed);
         stages.velocities(velocities, changed);
     }
 
-    /** Those that others have slowed down count as they were: to know how all move, all would have to be looked at. */
+    /** Circles that were set to be slower count as before it, too: to know how all move, all would have to be looked at. */
     private void moves(FloatBuffer velocities, Changes changed) {
+        uploaded.begin(stepped);
+        if (added) {
+            uploaded.anyFar();
+        }
         changed.rewind(population.circles(), 0);
         while (changed.next()) {
             population.motion(velocities, changed.from(), changed.end(), uploaded);
@@ -100,6 +103,7 @@ public final class SmallPipeline implements Stepper {
         } else {
             run(0);
         }
+        added = false;
         inFlight = true;
     }
 
@@ -164,7 +168,8 @@ public final class SmallPipeline implements Stepper {
             detections += status.updates();
         }
         contacts = status.contacts();
-        motion = stages.motion();
+        stepped = stages.motion();
+        motion = stepped;
         skin -= motion.moved();
         inFlight = false;
     }

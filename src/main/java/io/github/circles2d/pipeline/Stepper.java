@@ -10,7 +10,7 @@ public interface Stepper {
      *
      * @param population the circles
      * @param velocities (vx, vy) a circle, world units a second; direct, native order, read from 0
-     * @param changed those that have come, and those whose velocity is another
+     * @param changed those that have come since the last step, and those whose velocity is another than after it
      */
     void upload(Population population, FloatBuffer velocities, Changes changed);
 

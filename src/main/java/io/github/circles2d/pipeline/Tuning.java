@@ -79,7 +79,7 @@ public final class Tuning {
 
     /**
      * Fewest circles of a world on an OpenCL device that are given to another thread to copy to or from {@link #STAGING_BYTES}: 16 bytes
-     * each. 2^12 to 2^18: waking it takes some 20 us.
+     * and 8 each. 2^12 to 2^18: waking it takes some 20 us.
      */
     public static final int COPY_CIRCLES = 1 << 14;
 
@@ -296,7 +296,7 @@ public final class Tuning {
     /** Values that one work-item scans, {@code C2D_SCAN}. 4 to 64, a multiple of 4. */
     public static final int SCAN = 8;
 
-    /** Turns that plain Java waits for another thread at full speed before it yields. 0 to 10^5; a turn takes some 10 ns. */
+    /** Turns that plain Java, or a copy, waits for another thread at full speed before it yields. 0 to 10^5; a turn takes some 10 ns. */
     public static final int HOST_SPINS = 2000;
 
     /** How long a thread that helps waits for the next part, ns: waking one takes some 20 us. 0 to 10^6. */

@@ -311,6 +311,26 @@ class FaultTest {
         }
     }
 
+    @Test
+    void velocitiesThatDoNotArriveInTheBackgroundEndTheWorld() {
+        faulty.behave();
+        try (Circles2D world = builder(World.IN_BACKGROUND).build()) {
+            addPile(world);
+            world.step();
+            world.snapshot();
+            world.setVelocity(3, 1, 2);
+            faulty.fail(0, -36, false);
+            world.step();
+            OpenClException first = assertThrows(OpenClException.class, world::snapshot);
+            assertEquals("clEnqueueWriteBuffer", first.call());
+            assertSame(
+                    first, assertThrows(Circles2DException.class, world::step).getCause());
+            faulty.behave();
+        }
+        assertNothingLeft("after velocities that did not arrive");
+        assertEquals(List.of(), log.take());
+    }
+
     private static Object setVelocity(Circles2D world) {
         world.setVelocity(0, 1, 1);
         return "set";
