@@ -21,9 +21,9 @@ import org.openjdk.jmh.runner.options.CommandLineOptionException;
  * mvn -q -Pbench verify -Dbench.args="Frame --device gpu --circles 1000,100000 --work 0,4 --out target/frame"
  * }</pre>
  *
- * <p>Further names: {@code --substeps} (8), {@code --kicks} (0: circles whose velocity is set before each step), {@code --background} (false,true: whether the world makes its steps on a thread of its
- * own). What else there is goes to JMH. Figures are added to those that are in the folder;
- * {@code --draw} measures nothing.
+ * <p>Further names: {@code --substeps} (8), {@code --kicks} (0: circles whose velocity is set before each step), {@code --background}
+ * (false,true: whether the world makes its steps on a thread of its own). What else there is goes to JMH. Figures are added to those
+ * that are in the folder; {@code --draw} measures nothing.
  */
 public final class Frame {
     private Frame() {}
@@ -133,8 +133,8 @@ public final class Frame {
         Markdown page = Markdown.page("What a game pays for a frame", rows)
                 .paragraph(
                         "step(), some work of the game's own on the same thread, snapshot(): a pile that lies ready, grid(),"
-                                + " SMALL_STEPS. Before it, the game sets the velocity of some circles. Wait is the time in the two calls. In the background, a thread of the world's own makes"
-                                + " the steps. Bytes from the heap: what JMH's profiler sees, its"
+                                + " SMALL_STEPS. Before it, the game sets the velocity of some circles. Wait is the time in the two"
+                                + " calls. In the background, a thread of the world's own makes the steps. Bytes from the heap: what JMH's profiler sees, its"
                                 + " own included, and what the game's thread takes in the two calls.")
                 .table(
                         1,

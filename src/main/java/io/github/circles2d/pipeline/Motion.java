@@ -60,15 +60,6 @@ public final class Motion {
         }
     }
 
-    /** Goes on from how they moved {@code before}, which may be this one; null: of no circle. */
-    void begin(Motion before) {
-        if (before == null) {
-            clear();
-        } else {
-            System.arraycopy(before.most, 0, most, 0, NUMBERS);
-        }
-    }
-
     /** Nobody knows how far one may have come in the step. */
     void anyFar() {
         most[MOVED_SQUARE] = Float.POSITIVE_INFINITY;

@@ -17,11 +17,12 @@ public final class SmallPipeline implements Stepper {
     private Levels[] levels;
 
     private Levels used;
-    /** How circles move at most: after the last step, null before the first; with what was uploaded since; that one of them which holds. */
-    private Motion stepped;
-
+    /** How circles move after the last step; of no circle before the first. */
+    private Motion stepped = new Motion();
+    /** The same, with what was uploaded since. */
     private final Motion uploaded = new Motion();
-    private Motion motion;
+    /** That one of the two which holds. */
+    private Motion motion = stepped;
     /** Circles have come since that step. */
     private boolean added;
     /** How much farther they may come with the contacts listed last, world units; less than is coming where the next step lists its own. */
@@ -69,7 +70,8 @@ public final class SmallPipeline implements Stepper {
 
     /** Circles that were set to be slower count as before it, too: to know how all move, all would have to be looked at. */
     private void moves(FloatBuffer velocities, Changes changed) {
-        uploaded.begin(stepped);
+        uploaded.clear();
+        uploaded.add(stepped);
         if (added) {
             uploaded.anyFar();
         }

@@ -65,7 +65,7 @@ class SubstepsTest {
         Motion before = new Motion();
         before.add(1, 2, 3, 0.3f, 0.4f);
         Motion motion = new Motion();
-        motion.begin(before);
+        motion.add(before);
         motion.add(-3, 0, 3, 0, 0);
         assertEquals(0.5f, motion.moved(), 1e-6f);
         assertEquals(1, motion.fastest());
@@ -73,7 +73,7 @@ class SubstepsTest {
         assertEquals(Math.hypot(1, 2), before.speed(), 1e-6f);
         motion.anyFar();
         assertEquals(Float.POSITIVE_INFINITY, motion.moved());
-        motion.begin(null);
+        motion.clear();
         assertEquals(0, motion.speed());
         assertEquals(0, motion.moved());
     }
