@@ -28,6 +28,13 @@ public final class SmallPipeline implements Stepper {
     /** How much farther they may come with the contacts listed last, world units; less than is coming where the next step lists its own. */
     private float skin = -1;
 
+    /** Substeps that the contacts listed last are good for yet, where circles are many, and how much nearer two may have come since. */
+    private int left;
+
+    private float nearer;
+    /** Substeps that a step began with before its first detection. */
+    private int carried;
+
     private float before;
     /** Those that there may be, fewest first: a world that chooses anew in every step should allocate nothing then. */
     private final Substeps[] known;
@@ -70,6 +77,7 @@ public final class SmallPipeline implements Stepper {
 
     /** Circles that were set to be slower count as before it, too: to know how all move, all would have to be looked at. */
     private void moves(FloatBuffer velocities, Changes changed) {
+        left = 0;
         uploaded.clear();
         uploaded.add(stepped);
         if (added) {
@@ -93,20 +101,42 @@ public final class SmallPipeline implements Stepper {
         substeps = known.length == 1
                 ? known[0]
                 : known[Substeps.choose(config, population, motion.fastest()) / Tuning.AUTO_UNIT - 1];
-        boolean listed = coming() <= skin;
-        if (!listed) {
+        carried = coming() <= skin ? substeps.count() : carried();
+        if (carried < substeps.count()) {
             choose();
         }
         stages.begin(substeps, before > 0 ? substeps.seconds() / before : 1);
         before = substeps.seconds();
-        if (listed) {
-            stages.solve(substeps.count());
-            stages.publish();
-        } else {
-            run(0);
+        lasts();
+        if (carried > 0) {
+            stages.solve(carried);
         }
+        if (carried < substeps.count()) {
+            if (carried > 0) {
+                stages.integrate();
+            }
+            stages.use(used);
+        }
+        run(carried);
         added = false;
         inFlight = true;
+    }
+
+    /** Substeps that the step can begin with by what is left of the last list; it was made for substeps of a time. */
+    private int carried() {
+        return substeps.seconds() == before ? substeps.carried(config, motion, used, left, nearer) : 0;
+    }
+
+    /** What the step leaves of its last list. */
+    private void lasts() {
+        if (carried < substeps.count()) {
+            int last = carried + (substeps.count() - 1 - carried) / perDetection * perDetection;
+            left = last + lists(last);
+            nearer = substeps.nearer(config, motion, last);
+        } else {
+            nearer += substeps.nearer(config, motion, 0);
+        }
+        left = Math.max(0, left - substeps.count());
     }
 
     /** Which cells the detections of a step have, how many there are, and how far circles may go before the next. */
@@ -122,32 +152,35 @@ public final class SmallPipeline implements Stepper {
                 perDetection = fewer;
             }
         }
-        if (now != used) {
-            used = now;
-            stages.use(now);
-        }
+        used = now;
         float coming = coming();
         float room = Math.min(substeps.skin(config, population, motion, now), Tuning.SKIN_STEPS * coming);
-        skin = perDetection == substeps.count() && coming <= room ? room : -1;
+        skin = perDetection >= substeps.count() && coming <= room ? room : -1;
     }
 
     private int perDetection(Levels of) {
         return substeps.perDetection(config, population, motion, of);
     }
 
-    private int detections(int each) {
-        return (substeps.count() + each - 1) / each;
+    /** Those of a step; lists of many outlast it. */
+    private float detections(int each) {
+        return Substeps.many(population) ? substeps.count() / (float) each : (substeps.count() + each - 1) / each;
     }
 
-    /** The substeps from {@code first} on, which begins with a detection. */
+    /** How many substeps a detection before substep {@code s} lists contacts for. */
+    private int lists(int s) {
+        return Substeps.many(population) ? perDetection : Math.min(perDetection, substeps.count() - s);
+    }
+
+    /** The substeps from {@code first} on, which begins with a detection, if there are any, and the end of the step. */
     private void run(int first) {
         for (int s = first; s < substeps.count(); s += perDetection) {
             if (s > first) {
                 stages.integrate();
             }
-            int listed = Math.min(perDetection, substeps.count() - s);
+            int listed = lists(s);
             stages.detect(listed * substeps.seconds(), substeps.fall(config, listed) + 2 * Math.max(0, skin));
-            stages.solve(listed);
+            stages.solve(Math.min(listed, substeps.count() - s));
         }
         stages.publish();
     }
@@ -165,7 +198,7 @@ public final class SmallPipeline implements Stepper {
         int detections = status.updates();
         while (status.stalled()) {
             stages.makeRoom(status.contacts());
-            run(detections * perDetection);
+            run(carried + detections * perDetection);
             status = stages.await(reading);
             detections += status.updates();
         }

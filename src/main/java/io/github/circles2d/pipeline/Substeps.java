@@ -102,17 +102,18 @@ public record Substeps(int count, float seconds, float[] numbers) {
      * Cells are wider than circles by their reach; two circles at most at the highest speed, one of which falls while the other
      * rests, use that up. Among many, some of which others always throw to and fro, the highest speed says little: there the
      * box of all velocities bounds how fast two close in, though a bounce may part from it; few settle better with more
-     * detections. Gravity alone should not make neighbours of many.
+     * detections. Gravity alone should not make neighbours of many. Only many have more of them than a step has substeps: {@link #carried}.
      */
     public int perDetection(WorldConfig config, Population population, Motion motion, Levels levels) {
-        boolean many = population.circles() > Tuning.CLOSING_CIRCLES;
+        boolean many = many(population);
         float gravity = gravity(config) / population.minRadius();
-        int substeps = count;
+        int substeps = many ? Tuning.LISTED_SUBSTEPS : count;
         while (substeps > 1) {
             float time = substeps * seconds;
+            float wait = config.timeStep() - (many ? seconds : time);
             float fall = 0.5f * gravity * time * time;
-            boolean apart = nearer(config, gravity, 2 * motion.fastest(), time) <= 2 * levels.reach
-                    || many && nearer(config, gravity(config), motion.closing(), time) <= levels.room;
+            boolean apart = nearer(gravity, 2 * motion.fastest(), wait, time) <= 2 * levels.reach
+                    || many && nearer(gravity(config), motion.closing(), wait, time) <= levels.room;
             if (apart && fall <= Tuning.FALL) {
                 break;
             }
@@ -121,9 +122,34 @@ public record Substeps(int count, float seconds, float[] numbers) {
         return substeps;
     }
 
-    /** How much nearer two circles may come in a time within a step, in the units of gravity and of how fast they close in now. */
-    private static float nearer(WorldConfig config, float gravity, float closing, float time) {
-        return (closing + gravity * (config.timeStep() - time)) * time + 0.5f * gravity * time * time;
+    /** Whether the circles are so many that {@link Tuning#CLOSING_CIRCLES} says how often contacts are listed. */
+    static boolean many(Population population) {
+        return population.circles() > Tuning.CLOSING_CIRCLES;
+    }
+
+    /**
+     * How many substeps a step of many circles can begin with before it lists contacts: those {@code left} of the ones that the last list
+     * was made for, or fewer where circles have got faster.
+     *
+     * @param nearer how much nearer two may have come since, world units: {@link #nearer(WorldConfig, Motion, int)}
+     */
+    public int carried(WorldConfig config, Motion motion, Levels levels, int left, float nearer) {
+        int substeps = Math.min(left, count);
+        while (substeps > 0
+                && nearer + nearer(gravity(config), motion.closing(), 0, substeps * seconds) > levels.room) {
+            substeps--;
+        }
+        return substeps;
+    }
+
+    /** How much nearer two circles may come in the substeps of a step from {@code first} on, world units. */
+    public float nearer(WorldConfig config, Motion motion, int first) {
+        return nearer(gravity(config), motion.closing(), first * seconds, (count - first) * seconds);
+    }
+
+    /** How much nearer two circles may come in a time that begins after a {@code wait}, in the units of gravity and of how fast they close in now. */
+    private static float nearer(float gravity, float closing, float wait, float time) {
+        return (closing + gravity * wait) * time + 0.5f * gravity * time * time;
     }
 
     /**
@@ -133,7 +159,7 @@ public record Substeps(int count, float seconds, float[] numbers) {
      */
     public float skin(WorldConfig config, Population population, Motion motion, Levels levels) {
         float gravity = gravity(config) / population.minRadius();
-        float room = levels.reach - 0.5f * nearer(config, gravity, 2 * motion.fastest(), config.timeStep());
+        float room = levels.reach - 0.5f * nearer(gravity, 2 * motion.fastest(), 0, config.timeStep());
         return Math.min(Tuning.SKIN, room) * population.minRadius();
     }
 

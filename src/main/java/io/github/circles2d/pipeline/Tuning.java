@@ -222,6 +222,9 @@ public final class Tuning {
      */
     public static final int CLOSING_CIRCLES = 200_000;
 
+    /** Most substeps of as many circles that a list of contacts is made for. 1 to 512: more list more. */
+    public static final int LISTED_SUBSTEPS = 128;
+
     /** Gap up to which a contact is always listed, smaller radii. 0.05 to 0.2. */
     public static final float ALWAYS_NEAR = 0.1f;
 
