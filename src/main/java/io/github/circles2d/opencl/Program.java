@@ -3,8 +3,10 @@ package io.github.circles2d.opencl;
 import io.github.circles2d.KernelBuildException;
 import io.github.circles2d.OpenClException;
 import io.github.circles2d.pipeline.KernelSources;
+import io.github.circles2d.pipeline.Tuning;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jocl.CL;
@@ -13,6 +15,7 @@ import org.jocl.cl_program;
 /** A program made from kernel files: owns its {@code cl_program}. */
 final class Program implements AutoCloseable {
     private static final String OPTIONS = "-cl-std=CL1.2";
+    private static final System.Logger LOG = System.getLogger("io.github.circles2d");
     private static final String ROUNDED = " -cl-fp32-correctly-rounded-divide-sqrt";
 
     private final Session session;
@@ -35,8 +38,25 @@ final class Program implements AutoCloseable {
         return build(session, "", defines, sources);
     }
 
-    /** The same with more options for the compiler, each after a space. */
+    /**
+     * The same with more options for the compiler, each after a space. A build that fails without an error to show is tried again, {@link
+     * Tuning#BUILDS} times in all: PoCL 3.1 fails one of some sixty where a dozen processes compile at once.
+     */
     static Program build(
+            Session session, String more, Map<String, Integer> defines, List<Map.Entry<String, String>> sources) {
+        for (int builds = 1; ; builds++) {
+            try {
+                return once(session, more, defines, sources);
+            } catch (KernelBuildException e) {
+                if (builds == Tuning.BUILDS || e.log().toLowerCase(Locale.ROOT).contains("error")) {
+                    throw e;
+                }
+                LOG.log(System.Logger.Level.INFO, "kernels are compiled again: {0}", e.getMessage());
+            }
+        }
+    }
+
+    private static Program once(
             Session session, String more, Map<String, Integer> defines, List<Map.Entry<String, String>> sources) {
         List<String> parts = new ArrayList<>();
         StringBuilder head = new StringBuilder();
@@ -98,7 +118,7 @@ final class Program implements AutoCloseable {
                     (n, p, m) -> session.api.getProgramBuildInfo(
                             program, session.device.id, CL.CL_PROGRAM_BUILD_LOG, n, p, m));
         } catch (OpenClException e) {
-            return "(no log: " + e.getMessage() + ")";
+            return "(no log, by an error: " + e.getMessage() + ")";
         }
     }
 

@@ -107,13 +107,17 @@ public record Substeps(int count, float seconds, float[] numbers) {
     public int perDetection(WorldConfig config, Population population, Motion motion, Levels levels) {
         boolean many = many(population);
         float gravity = gravity(config) / population.minRadius();
-        int substeps = many ? Tuning.LISTED_SUBSTEPS : count;
+        float closing = motion.closing();
+        int substeps = count;
+        if (many) {
+            substeps = Math.max(count, Math.min(Tuning.MAX_SUBSTEPS, Math.round(Tuning.LISTED_SECONDS / seconds)));
+        }
         while (substeps > 1) {
             float time = substeps * seconds;
             float wait = config.timeStep() - (many ? seconds : time);
             float fall = 0.5f * gravity * time * time;
             boolean apart = nearer(gravity, 2 * motion.fastest(), wait, time) <= 2 * levels.reach
-                    || many && nearer(gravity(config), motion.closing(), wait, time) <= levels.room;
+                    || many && nearer(gravity(config), closing, wait, time) <= levels.room;
             if (apart && fall <= Tuning.FALL) {
                 break;
             }

@@ -92,6 +92,9 @@ public final class Tuning {
     /** Circles between two such up to which they are sent too: a transfer takes as long as 8 bytes of some 16,000. 0 to 2^16. */
     public static final int CHANGED_APART = 1 << 14;
 
+    /** How often kernels are compiled at most where a driver fails without saying why, times. 1 to 10. */
+    public static final int BUILDS = 3;
+
     /** Steps that may wait in the queue before the caller waits for them, steps. 8 to 256. */
     public static final int STEPS_IN_FLIGHT = 64;
 
@@ -222,8 +225,11 @@ public final class Tuning {
      */
     public static final int CLOSING_CIRCLES = 200_000;
 
-    /** Most substeps of as many circles that a list of contacts is made for. 1 to 512: more list more. */
-    public static final int LISTED_SUBSTEPS = 128;
+    /**
+     * Longest time that a list of contacts of so many is made for where steps are shorter, seconds. 0 to 1/30: what a circle is sent to by
+     * another is on no list until the next.
+     */
+    public static final float LISTED_SECONDS = 1f / 60;
 
     /** Gap up to which a contact is always listed, smaller radii. 0.05 to 0.2. */
     public static final float ALWAYS_NEAR = 0.1f;

@@ -16,6 +16,8 @@ import io.github.circles2d.KernelBuildException;
 import io.github.circles2d.StepStats;
 import io.github.circles2d.TestDevices;
 import io.github.circles2d.ThrowingStrategy;
+import io.github.circles2d.pipeline.Tuning;
+import java.lang.reflect.Proxy;
 import java.nio.ByteBuffer;
 import java.util.List;
 import org.jocl.CL;
@@ -143,6 +145,37 @@ class FaultyDeviceTest {
         faulty.fail(log, -30, false);
         KernelBuildException e = assertThrows(KernelBuildException.class, builder::build);
         assertTrue(e.getMessage().contains("clGetProgramBuildInfo"), e.getMessage());
+    }
+
+    /** As often as that, builds fail and have nothing to say. */
+    private ComputeDevice silent(int fails, int[] builds) {
+        ClApi api = (ClApi) Proxy.newProxyInstance(
+                ClApi.class.getClassLoader(), new Class<?>[] {ClApi.class}, (proxy, method, arguments) -> {
+                    if (method.getName().equals("buildProgram") && builds[0]++ < fails) {
+                        return CL.CL_BUILD_PROGRAM_FAILURE;
+                    }
+                    // an empty log
+                    return method.getName().equals("getProgramBuildInfo") ? 0 : method.invoke(faulty.api(), arguments);
+                });
+        return Internals.computeDevice(OpenClDevices.list(api).get(0));
+    }
+
+    @Test
+    void aBuildThatFailsWithoutAWordIsTriedAgain() {
+        int[] builds = {0};
+        Circles2D.Builder builder = Internals.thesis().device(silent(Tuning.BUILDS - 1, builds));
+        builder.build().close();
+        int first = builds[0];
+        builder.build().close();
+        assertEquals(builds[0] - first + Tuning.BUILDS - 1, first);
+    }
+
+    @Test
+    void aBuildThatNeverSaysWhyIsGivenUp() {
+        int[] builds = {0};
+        Circles2D.Builder builder = Internals.thesis().device(silent(Integer.MAX_VALUE, builds));
+        assertThrows(KernelBuildException.class, builder::build);
+        assertEquals(Tuning.BUILDS, builds[0]);
     }
 
     @Test

@@ -23,8 +23,13 @@ public final class SmallSteps {
 
     /** The same with another gravity, downwards below 0. */
     static WorldConfig box(float width, int oneTile, float gravity) {
+        return box(width, oneTile, gravity, 60, 8);
+    }
+
+    /** The same with so many steps a second and substeps a step. */
+    static WorldConfig box(float width, int oneTile, float gravity, int steps, int substeps) {
         return new WorldConfig(
-                1f / 60,
+                1f / steps,
                 0,
                 gravity,
                 0.5f,
@@ -39,7 +44,7 @@ public final class SmallSteps {
                 0,
                 0,
                 oneTile,
-                8);
+                substeps);
     }
 
     /** All circles, as those that have come or changed. */
