@@ -28,7 +28,7 @@ public final class SmallPipeline implements Stepper {
     /** How much farther they may come with the contacts listed last, world units; less than is coming where the next step lists its own. */
     private float skin = -1;
 
-    /** Substeps that the contacts listed last are good for yet, where circles are many, and how much nearer two may have come since. */
+    /** Substeps that the contacts listed last are good for yet, where lists outlast a step, and how much nearer two may have come since. */
     private int left;
 
     private float nearer;
@@ -162,14 +162,16 @@ public final class SmallPipeline implements Stepper {
         return substeps.perDetection(config, population, motion, of);
     }
 
-    /** Those of a step; lists of many outlast it. */
+    /** Those of a step, or its share of them. */
     private float detections(int each) {
-        return Substeps.many(population) ? substeps.count() / (float) each : (substeps.count() + each - 1) / each;
+        return Substeps.outlast(config, population)
+                ? substeps.count() / (float) each
+                : (substeps.count() + each - 1) / each;
     }
 
     /** How many substeps a detection before substep {@code s} lists contacts for. */
     private int lists(int s) {
-        return Substeps.many(population) ? perDetection : Math.min(perDetection, substeps.count() - s);
+        return Substeps.outlast(config, population) ? perDetection : Math.min(perDetection, substeps.count() - s);
     }
 
     /** The substeps from {@code first} on, which begins with a detection, if there are any, and the end of the step. */

@@ -102,19 +102,17 @@ public record Substeps(int count, float seconds, float[] numbers) {
      * Cells are wider than circles by their reach; two circles at most at the highest speed, one of which falls while the other
      * rests, use that up. Among many, some of which others always throw to and fro, the highest speed says little: there the
      * box of all velocities bounds how fast two close in, though a bounce may part from it; few settle better with more
-     * detections. Gravity alone should not make neighbours of many. Only many have more of them than a step has substeps: {@link #carried}.
+     * detections. Gravity alone should not make neighbours of many. Of short steps of many there can be more than such a step has: {@link #carried}.
      */
     public int perDetection(WorldConfig config, Population population, Motion motion, Levels levels) {
-        boolean many = many(population);
+        boolean many = population.circles() > Tuning.CLOSING_CIRCLES;
+        boolean outlast = outlast(config, population);
         float gravity = gravity(config) / population.minRadius();
         float closing = motion.closing();
-        int substeps = count;
-        if (many) {
-            substeps = Math.max(count, Math.min(Tuning.MAX_SUBSTEPS, Math.round(Tuning.LISTED_SECONDS / seconds)));
-        }
+        int substeps = outlast ? Math.min(Tuning.MAX_SUBSTEPS, Math.round(Tuning.LISTED_SECONDS / seconds)) : count;
         while (substeps > 1) {
             float time = substeps * seconds;
-            float wait = config.timeStep() - (many ? seconds : time);
+            float wait = config.timeStep() - (outlast ? seconds : time);
             float fall = 0.5f * gravity * time * time;
             boolean apart = nearer(gravity, 2 * motion.fastest(), wait, time) <= 2 * levels.reach
                     || many && nearer(gravity(config), closing, wait, time) <= levels.room;
@@ -126,14 +124,16 @@ public record Substeps(int count, float seconds, float[] numbers) {
         return substeps;
     }
 
-    /** Whether the circles are so many that {@link Tuning#CLOSING_CIRCLES} says how often contacts are listed. */
-    static boolean many(Population population) {
-        return population.circles() > Tuning.CLOSING_CIRCLES;
+    /**
+     * Whether lists of contacts outlast a step: those of many circles, where steps are short. In one of 1/60 s a million that stand take as
+     * long either way, and those that land settle worse with fewer lists.
+     */
+    static boolean outlast(WorldConfig config, Population population) {
+        return population.circles() > Tuning.CLOSING_CIRCLES && config.timeStep() < Tuning.LISTED_SECONDS;
     }
 
     /**
-     * How many substeps a step of many circles can begin with before it lists contacts: those {@code left} of the ones that the last list
-     * was made for, or fewer where circles have got faster.
+     * How many substeps a step can begin with before it lists contacts: those {@code left} of the ones that the last list was made for, or fewer where circles have got faster.
      *
      * @param nearer how much nearer two may have come since, world units: {@link #nearer(WorldConfig, Motion, int)}
      */

@@ -226,8 +226,8 @@ public final class Tuning {
     public static final int CLOSING_CIRCLES = 200_000;
 
     /**
-     * Longest time that a list of contacts of so many is made for where steps are shorter, seconds. 0 to 1/30: what a circle is sent to by
-     * another is on no list until the next.
+     * Longest time that a list of contacts of as many circles is made for where steps are shorter than this, seconds. 0 to 1/30: what a circle
+     * is sent to by another is on no list until the next.
      */
     public static final float LISTED_SECONDS = 1f / 60;
 
