@@ -44,11 +44,11 @@ class HeapTest {
     }
 
     private void ensure(int circles) {
-        FloatBuffer circle = FloatBuffer.allocate(4 * circles);
+        FloatBuffer transforms = FloatBuffer.allocate(4 * circles);
         for (int i = 0; i < circles; i++) {
-            circle.put(4 * i + 2, 0.01f);
+            transforms.put(4 * i + 2, 0.01f);
         }
-        Levels[] levels = Levels.all(CONFIG, Population.of(circle, null, circles));
+        Levels[] levels = Levels.all(CONFIG, Population.of(transforms, null, circles));
         heap.ensureCircles(levels, circles);
         heap.write(levels, Stream.of(levels).map(Tiles::of).toArray(Tiles[]::new));
     }

@@ -146,12 +146,12 @@ public final class OclgrindGate {
     private static Scene folded() {
         float radius = 0.001f;
         return new Scene("folded", 0, -1, 0.5f, (world, circles) -> {
-            FloatBuffer circle = FloatBuffer.allocate(4 * circles);
+            FloatBuffer transforms = FloatBuffer.allocate(4 * circles);
             for (int i = 0; i < circles; i++) {
-                circle.put(4 * i + 2, radius);
+                transforms.put(4 * i + 2, radius);
             }
             // the world's own cells follow from its box alone
-            Levels levels = Levels.of(SmallSteps.box(1, 0), Population.of(circle, null, circles), Tuning.REACH);
+            Levels levels = Levels.of(SmallSteps.box(1, 0), Population.of(transforms, null, circles), Tuning.REACH);
             int at = Levels.at(0);
             require(levels.folded(at), "a folded level");
             int row = 0;

@@ -14,13 +14,13 @@ class SubstepsTest {
 
     /** Circles of one size that all go as fast in one direction, the first of them apart. */
     private static int perDetection(int circles, float vx, float firstX) {
-        FloatBuffer circle = FloatBuffer.allocate(4 * circles);
+        FloatBuffer transforms = FloatBuffer.allocate(4 * circles);
         FloatBuffer velocities = FloatBuffer.allocate(2 * circles);
         for (int i = 0; i < circles; i++) {
-            circle.put(4 * i, 0.5f).put(4 * i + 1, 0.5f).put(4 * i + 2, RADIUS);
+            transforms.put(4 * i, 0.5f).put(4 * i + 1, 0.5f).put(4 * i + 2, RADIUS);
             velocities.put(2 * i, i == 0 ? firstX : vx);
         }
-        Population population = Population.of(circle, null, circles);
+        Population population = Population.of(transforms, null, circles);
         Motion motion = new Motion();
         population.motion(velocities, 0, circles, motion);
         Levels levels = Levels.all(CONFIG, population)[0];

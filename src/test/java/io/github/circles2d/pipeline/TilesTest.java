@@ -79,11 +79,11 @@ class TilesTest {
     }
 
     private static Population population(int circles, float ratio) {
-        FloatBuffer circle = FloatBuffer.allocate(4 * circles);
+        FloatBuffer transforms = FloatBuffer.allocate(4 * circles);
         float least = 0.4f / (float) Math.sqrt(circles) / (float) Math.sqrt(ratio);
         for (int i = 0; i < circles; i++) {
-            circle.put(4 * i + 2, i == 0 ? least : i % 100 == 1 ? Math.min(0.5f, ratio * least) : 1.1f * least);
+            transforms.put(4 * i + 2, i == 0 ? least : i % 100 == 1 ? Math.min(0.5f, ratio * least) : 1.1f * least);
         }
-        return Population.of(circle, null, circles);
+        return Population.of(transforms, null, circles);
     }
 }
