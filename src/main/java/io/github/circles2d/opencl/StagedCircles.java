@@ -7,7 +7,8 @@ import java.nio.FloatBuffer;
 
 /**
  * Carries circles between the staging memory and the buffers of the host, many of them by several threads: one alone takes longer for a
- * million than a GPU takes to send them. Allocates nothing after its first use.
+ * million than a GPU takes to send them. But the first few times one does: a young JVM interprets, and threads that do the same then wait for each other
+ * where it counts what they do. Allocates nothing after that.
  */
 final class StagedCircles {
     /** Floats of a circle: the device has (x, y, radius, mass) where the host has transforms. */
@@ -20,6 +21,9 @@ final class StagedCircles {
     private final Workers workers = new Workers(Tuning.COPY_CIRCLES, Tuning.COPY_THREADS);
     private final Workers.Work copyToHost = this::copyToHost;
     private final Workers.Work copyToStaging = this::copyToStaging;
+
+    /** How often one thread has carried alone. */
+    private int alone;
 
     // of what is carried now
     private FloatBuffer host;
@@ -58,7 +62,12 @@ final class StagedCircles {
         floats = width;
         staged = at;
         first = start;
-        workers.run(circles, work);
+        if (alone < Tuning.COPIES_ALONE) {
+            alone++;
+            work.run(0, 0, circles);
+        } else {
+            workers.run(circles, work);
+        }
         // buffers that a growing world has replaced should not be kept
         host = null;
         masses = null;

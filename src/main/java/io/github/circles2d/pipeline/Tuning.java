@@ -86,6 +86,9 @@ public final class Tuning {
     /** Threads that copy at most, the one that waits for it included. 1 to 64: a few use up what memory gives. */
     public static final int COPY_THREADS = 8;
 
+    /** How often a world's circles are copied by one thread before several do, times: the JVM has compiled it by then. 0 to 100. */
+    public static final int COPIES_ALONE = 8;
+
     /** Circles of which, where the velocity of one is set, those of all are sent to the device. 1 to 2^14: a bit for so many. */
     public static final int CHANGED_TOGETHER = 1 << 8;
 
