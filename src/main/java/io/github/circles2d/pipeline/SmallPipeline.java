@@ -101,7 +101,9 @@ public final class SmallPipeline implements Stepper {
         substeps = known.length == 1
                 ? known[0]
                 : known[Substeps.choose(config, population, motion.fastest()) / Tuning.AUTO_UNIT - 1];
-        carried = coming() <= skin ? substeps.count() : carried();
+        // a list was made for substeps of a time
+        left = substeps.seconds() == before ? left : 0;
+        carried = coming() <= skin ? substeps.count() : substeps.carried(config, motion, used, left, nearer);
         if (carried < substeps.count()) {
             choose();
         }
@@ -120,11 +122,6 @@ public final class SmallPipeline implements Stepper {
         run(carried);
         added = false;
         inFlight = true;
-    }
-
-    /** Substeps that the step can begin with by what is left of the last list; it was made for substeps of a time. */
-    private int carried() {
-        return substeps.seconds() == before ? substeps.carried(config, motion, used, left, nearer) : 0;
     }
 
     /** What the step leaves of its last list. */

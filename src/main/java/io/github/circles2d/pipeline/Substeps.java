@@ -133,25 +133,27 @@ public record Substeps(int count, float seconds, float[] numbers) {
     }
 
     /**
-     * How many substeps a step can begin with before it lists contacts: those {@code left} of the ones that the last list was made for, or fewer where circles have got faster.
+     * How many substeps a step can begin with before it lists contacts: those {@code left} of the ones that the last list was made for, or
+     * fewer where circles have got faster.
      *
-     * @param nearer how much nearer two may have come since, world units: {@link #nearer(WorldConfig, Motion, int)}
+     * @param already how much nearer two may have come since, world units: {@link #nearer(WorldConfig, Motion, int)}
      */
-    public int carried(WorldConfig config, Motion motion, Levels levels, int left, float nearer) {
+    int carried(WorldConfig config, Motion motion, Levels levels, int left, float already) {
+        float gravity = gravity(config);
+        float closing = motion.closing();
         int substeps = Math.min(left, count);
-        while (substeps > 0
-                && nearer + nearer(gravity(config), motion.closing(), 0, substeps * seconds) > levels.room) {
+        while (substeps > 0 && already + nearer(gravity, closing, 0, substeps * seconds) > levels.room) {
             substeps--;
         }
         return substeps;
     }
 
     /** How much nearer two circles may come in the substeps of a step from {@code first} on, world units. */
-    public float nearer(WorldConfig config, Motion motion, int first) {
+    float nearer(WorldConfig config, Motion motion, int first) {
         return nearer(gravity(config), motion.closing(), first * seconds, (count - first) * seconds);
     }
 
-    /** How much nearer two circles may come in a time that begins after a {@code wait}, in the units of gravity and of how fast they close in now. */
+    /** The same in a time that begins after a {@code wait}, in the units of gravity and of how fast they close in now. */
     private static float nearer(float gravity, float closing, float wait, float time) {
         return (closing + gravity * wait) * time + 0.5f * gravity * time * time;
     }
