@@ -14,8 +14,8 @@ import org.jocl.cl_program;
 
 /** A program made from kernel files: owns its {@code cl_program}. */
 final class Program implements AutoCloseable {
-    private static final String OPTIONS = "-cl-std=CL1.2";
     private static final System.Logger LOG = System.getLogger("io.github.circles2d");
+    private static final String OPTIONS = "-cl-std=CL1.2";
     private static final String ROUNDED = " -cl-fp32-correctly-rounded-divide-sqrt";
 
     private final Session session;

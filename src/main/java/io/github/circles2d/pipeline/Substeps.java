@@ -105,7 +105,7 @@ public record Substeps(int count, float seconds, float[] numbers) {
      * detections. Gravity alone should not make neighbours of many. Of short steps of many there can be more than such a step has: {@link #carried}.
      */
     public int perDetection(WorldConfig config, Population population, Motion motion, Levels levels) {
-        boolean many = population.circles() > Tuning.CLOSING_CIRCLES;
+        boolean many = many(population);
         boolean outlast = outlast(config, population);
         float gravity = gravity(config) / population.minRadius();
         float closing = motion.closing();
@@ -124,12 +124,16 @@ public record Substeps(int count, float seconds, float[] numbers) {
         return substeps;
     }
 
+    private static boolean many(Population population) {
+        return population.circles() > Tuning.CLOSING_CIRCLES;
+    }
+
     /**
      * Whether lists of contacts outlast a step: those of many circles, where steps are short. In one of 1/60 s a million that stand take as
      * long either way, and those that land settle worse with fewer lists.
      */
     static boolean outlast(WorldConfig config, Population population) {
-        return population.circles() > Tuning.CLOSING_CIRCLES && config.timeStep() < Tuning.LISTED_SECONDS;
+        return many(population) && config.timeStep() < Tuning.LISTED_SECONDS;
     }
 
     /**

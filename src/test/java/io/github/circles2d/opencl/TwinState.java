@@ -59,13 +59,6 @@ final class TwinState {
 
     /** Centre, radius, angle and velocity of each circle, as bits. */
     int[] bits() {
-        int[] bits = new int[6 * count];
-        for (int k = 0; k < 4 * count; k++) {
-            bits[k] = Float.floatToRawIntBits(transforms.get(k));
-        }
-        for (int k = 0; k < 2 * count; k++) {
-            bits[4 * count + k] = Float.floatToRawIntBits(velocities.get(k));
-        }
-        return bits;
+        return SmallSteps.bits(transforms, velocities, count);
     }
 }

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.github.circles2d.TestDevices;
 import io.github.circles2d.host.HostDevice;
-import java.lang.reflect.Proxy;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -44,6 +43,8 @@ class CarriedListTest {
         int stalls = -1;
 
         private boolean stalled;
+        /** Detections up to the step. */
+        private int before;
 
         /**
          * A world of a device.
@@ -53,12 +54,9 @@ class CarriedListTest {
         World(Device device, float speed) {
             WorldConfig config = SmallSteps.box(1, 0, 0, STEPS_A_SECOND, SUBSTEPS);
             SmallStages real = device.openSmall(config);
-            stages = (SmallStages) Proxy.newProxyInstance(
-                    SmallStages.class.getClassLoader(),
-                    new Class<?>[] {SmallStages.class},
-                    (proxy, method, arguments) -> told(real, method.getName(), arguments)
-                            ? method.invoke(real, arguments)
-                            : method.getName().equals("await") ? stall() : null);
+            stages = SmallSteps.stages((proxy, method, arguments) -> told(method.getName(), arguments)
+                    ? method.invoke(real, arguments)
+                    : method.getName().equals("await") ? stall() : null);
             pipeline = new SmallPipeline(config, stages);
             FloatBuffer masses = SmallSteps.direct(CIRCLES);
             SplittableRandom random = new SplittableRandom(5);
@@ -73,7 +71,7 @@ class CarriedListTest {
         }
 
         /** Keeps books; whether the stages are to be told, too. As on a device, a detection without room does nothing, nor what comes after it. */
-        private boolean told(SmallStages real, String name, Object[] arguments) {
+        private boolean told(String name, Object[] arguments) {
             if (name.equals("detect") && detections.size() == stalls) {
                 stalls = -1;
                 stalled = true;
@@ -90,22 +88,13 @@ class CarriedListTest {
             return new Status().set(1, true, detections.size() - before);
         }
 
-        private int before;
-
         /** A step; returns all bits of all circles. */
         int[] step() {
             before = detections.size();
             pipeline.step();
             pipeline.await();
             stages.download(transforms, velocities);
-            int[] bits = new int[6 * CIRCLES];
-            for (int k = 0; k < 4 * CIRCLES; k++) {
-                bits[k] = Float.floatToRawIntBits(transforms.get(k));
-            }
-            for (int k = 0; k < 2 * CIRCLES; k++) {
-                bits[4 * CIRCLES + k] = Float.floatToRawIntBits(velocities.get(k));
-            }
-            return bits;
+            return SmallSteps.bits(transforms, velocities, CIRCLES);
         }
 
         /** Overlaps, looked for in cells a lattice's spacing wide. */

@@ -5,10 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import io.github.circles2d.TestDevices;
 import io.github.circles2d.host.HostDevice;
-import java.lang.reflect.Proxy;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
-import java.util.stream.IntStream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -30,14 +28,11 @@ class KeptListTest {
 
         World(Device device, WorldConfig config, int columns, int rows) {
             SmallStages real = device.openSmall(config);
-            stages = (SmallStages) Proxy.newProxyInstance(
-                    SmallStages.class.getClassLoader(),
-                    new Class<?>[] {SmallStages.class},
-                    (proxy, method, arguments) -> {
-                        detections += method.getName().equals("detect") ? 1 : 0;
-                        rooms += method.getName().equals("makeRoom") ? 1 : 0;
-                        return method.invoke(real, arguments);
-                    });
+            stages = SmallSteps.stages((proxy, method, arguments) -> {
+                detections += method.getName().equals("detect") ? 1 : 0;
+                rooms += method.getName().equals("makeRoom") ? 1 : 0;
+                return method.invoke(real, arguments);
+            });
             pipeline = new SmallPipeline(config, stages);
             transforms = SmallSteps.direct(4 * columns * rows);
             masses = SmallSteps.direct(columns * rows);
@@ -65,16 +60,12 @@ class KeptListTest {
             pipeline.step();
             pipeline.await();
             stages.download(transforms, velocities);
-            return IntStream.concat(bits(transforms), bits(velocities)).toArray();
+            return SmallSteps.bits(transforms, velocities, masses.capacity());
         }
 
         @Override
         public void close() {
             stages.close();
-        }
-
-        private static IntStream bits(FloatBuffer of) {
-            return IntStream.range(0, of.capacity()).map(k -> Float.floatToRawIntBits(of.get(k)));
         }
     }
 

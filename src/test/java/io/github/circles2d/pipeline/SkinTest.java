@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import io.github.circles2d.host.HostSmallStages;
-import java.lang.reflect.Proxy;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
@@ -25,11 +24,10 @@ class SkinTest {
     private void start(float gravity) {
         WorldConfig config = SmallSteps.box(1, Tuning.ALONE_CIRCLES, gravity);
         HostSmallStages host = new HostSmallStages(config);
-        stages = (SmallStages) Proxy.newProxyInstance(
-                SmallStages.class.getClassLoader(), new Class<?>[] {SmallStages.class}, (proxy, method, arguments) -> {
-                    detections += method.getName().equals("detect") ? 1 : 0;
-                    return method.invoke(host, arguments);
-                });
+        stages = SmallSteps.stages((proxy, method, arguments) -> {
+            detections += method.getName().equals("detect") ? 1 : 0;
+            return method.invoke(host, arguments);
+        });
         pipeline = new SmallPipeline(config, stages);
         SplittableRandom random = new SplittableRandom(1);
         for (int i = 0; i < CIRCLES; i++) {

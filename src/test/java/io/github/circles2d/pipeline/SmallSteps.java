@@ -3,6 +3,8 @@ package io.github.circles2d.pipeline;
 import io.github.circles2d.CollisionStore;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Solver;
+import java.lang.reflect.InvocationHandler;
+import java.lang.reflect.Proxy;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
@@ -54,6 +56,24 @@ public final class SmallSteps {
             all.add(i);
         }
         return all;
+    }
+
+    /** Stages that a test stands in for, or between. */
+    static SmallStages stages(InvocationHandler handler) {
+        return (SmallStages)
+                Proxy.newProxyInstance(SmallStages.class.getClassLoader(), new Class<?>[] {SmallStages.class}, handler);
+    }
+
+    /** Centre, radius, angle and velocity of each of so many circles, as bits. */
+    public static int[] bits(FloatBuffer transforms, FloatBuffer velocities, int circles) {
+        int[] bits = new int[6 * circles];
+        for (int k = 0; k < 4 * circles; k++) {
+            bits[k] = Float.floatToRawIntBits(transforms.get(k));
+        }
+        for (int k = 0; k < 2 * circles; k++) {
+            bits[4 * circles + k] = Float.floatToRawIntBits(velocities.get(k));
+        }
+        return bits;
     }
 
     /** Memory for so many floats as stages take it: direct, native order. */
