@@ -59,6 +59,11 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, 
                          C2D_TILE_START, C2D_SOLVES, (int2)(0, 0), stalled, true, 0, counts);
 }
 
+// What the end of some substeps `publishes`: nothing; that of a step, which has listed contacts or goes on with those that one before has.
+#define C2D_NOTHING_YET 0
+#define C2D_STEP 1
+#define C2D_STEP_ON 2
+
 // All substeps until the next detection, the end of the last included, or until the end of the step, which `publishes`: integrate.cl and
 // solve.cl.
 __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 *circle, __global float2 *velocities,
@@ -68,6 +73,9 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 
     const bool stalled = status[C2D_STALLED] != 0u;
     const int circles = stalled ? 0 : world.circles;
     const int8 tile = C2D_SOLVES[0];
+    if (item == 0 && publishes != C2D_NOTHING_YET) {
+        c2d_publish_gone(status, publishes == C2D_STEP_ON);
+    }
     for (int i = item; i < circles; i += items) {
         c2d_body_to(bodies, i, circles, C2D_BODY[i]);
     }

@@ -52,13 +52,15 @@ typedef uint2 c2d_row;
 // nothing moves until the host has made room), how many updates have run. Of small steps: how many detections, how many tiles of one
 // tiling have anything in them, and, as bits, how the circles move at the end of a step, class pipeline.Motion: the highest speed in
 // radii a second, the squares of the farthest that one has come and of the highest speed in world units a second, and the highest
-// speeds to the right, left, up and down.
+// speeds to the right, left, up and down. Then how far circles may have come since contacts were listed, before that step.
 #define C2D_CONTACTS 0
 #define C2D_STALLED 1
 #define C2D_UPDATES 2
 #define C2D_TILES 3
 #define C2D_MOTION 4
 #define C2D_MOTIONS 7
+#define C2D_MOVED_SQUARE (C2D_MOTION + 1)
+#define C2D_GONE (C2D_MOTION + C2D_MOTIONS)
 // What stalled says where contacts are so dense that no order of colours holds them.
 #define C2D_TOO_DENSE 2u
 

@@ -78,8 +78,17 @@ static void c2d_publish_most(uint8 motion, volatile __local uint *most) {
     atomic_max(&most[6], motion.s6);
 }
 
-// Before the first substep of a detection.
-static void c2d_publish_clear(__global uint *status) {
+// A step goes `on` with contacts that one before has listed, or has listed its own.
+static void c2d_publish_gone(__global uint *status, bool on) {
+    const float gone = as_float(status[C2D_GONE]) + sqrt(as_float(status[C2D_MOVED_SQUARE]));
+    status[C2D_GONE] = as_uint(on ? gone : 0.0f);
+}
+
+// Before the first substep of a detection, or of a step that goes `on` with one.
+static void c2d_publish_clear(__global uint *status, bool on) {
+    if (get_global_id(0) == 0) {
+        c2d_publish_gone(status, on);
+    }
     for (int k = 0; k < C2D_MOTIONS && get_global_id(0) == 0; k++) {
         status[C2D_MOTION + k] = 0u;
     }

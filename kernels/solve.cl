@@ -114,10 +114,12 @@ static void c2d_solve_bodies(int first, int end, int colours, __local float8 *bo
     }
 }
 
-// What a tiling `begins` with, before its contacts: nothing; the start of a substep; the end of one and the start of the next.
+// What a tiling `begins` with, before its contacts: nothing; the start of a substep; the end of one and the start of the next; the start
+// of a step that goes on with contacts that one before has listed.
 #define C2D_NOTHING 0
 #define C2D_KICK 1
 #define C2D_MOVE_AND_KICK 2
+#define C2D_KICK_ON 3
 
 // A tile: the circles' own share, then its contacts. Where bodies fit into local memory they are read and written once, whatever
 // the colours are.
@@ -154,8 +156,8 @@ static void c2d_solve_any(int8 tile, int begins, C2D_WORLD, __local float8 *bodi
 __kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, int backwards, __local float8 *bodies,
                         __local int *places) {
     const int group = (int)get_group_id(0);
-    if (begins == C2D_KICK) {
-        c2d_publish_clear(status);
+    if (begins == C2D_KICK || begins == C2D_KICK_ON) {
+        c2d_publish_clear(status, begins == C2D_KICK_ON);
     }
 #if C2D_GPU
     const int tiles = C2D_LIVE[tiling];

@@ -60,8 +60,9 @@ public final class HostSmallStages implements SmallStages {
     }
 
     @Override
-    public void begin(Substeps substeps, float ratio) {
+    public void begin(Substeps substeps, float ratio, boolean lists) {
         state.substeps = substeps;
+        state.motion.begin(lists);
         if (ratio != 1) {
             solve.rescale(ratio);
         }

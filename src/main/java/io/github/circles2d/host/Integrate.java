@@ -34,7 +34,6 @@ final class Integrate {
         publishes = publish;
         workers.run(state.circles, work);
         if (publish) {
-            state.motion.clear();
             for (Motion motion : motions) {
                 state.motion.add(motion);
                 motion.clear();

@@ -2,24 +2,33 @@ package io.github.circles2d.opencl;
 
 /** Host code of {@code kernels/alone.cl}: stages of a small world by one work-group. */
 final class Alone {
+    /** What is published: {@code C2D_NOTHING_YET} and so on. */
+    private static final int NOTHING_YET = 0;
+
+    private static final int STEP = 1;
+    private static final int STEP_ON = 2;
+
     private final Kernel grid;
     private final Kernel batch;
     private final Kernel solve;
     private final Kernel solveLast;
+    private final Kernel solveOn;
 
     Alone(Session session, Program program) {
         grid = new Kernel(session, program, "c2d_alone_grid");
         batch = new Kernel(session, program, "c2d_alone_batch");
         solve = new Kernel(session, program, "c2d_alone_solve");
         solveLast = new Kernel(session, program, "c2d_alone_solve");
+        solveOn = new Kernel(session, program, "c2d_alone_solve");
     }
 
     void bind(SmallWorld world) {
         Object[] known = world.known();
         grid.range(1, world.oneGroup()).arguments(known, world.levels().cells, new Kernel.Local(4L * grid.group()));
         batch.range(1, world.oneGroup()).arguments(known, new Kernel.Local(Batch.COUNTS), colours(world));
-        bind(solve, world, 0);
-        bind(solveLast, world, 1);
+        bind(solve, world, NOTHING_YET);
+        bind(solveLast, world, STEP);
+        bind(solveOn, world, STEP_ON);
     }
 
     private static void bind(Kernel kernel, SmallWorld world, int publishes) {
@@ -68,9 +77,10 @@ final class Alone {
         solve.launch();
     }
 
-    /** The same, of a step the last of them. */
-    void solveLast(int substeps) {
-        solveLast.more(substeps);
-        solveLast.launch();
+    /** The same, of a step the last of them, which {@code lists} contacts or goes on with those listed. */
+    void solveLast(int substeps, boolean lists) {
+        Kernel last = lists ? solveLast : solveOn;
+        last.more(substeps);
+        last.launch();
     }
 }

@@ -21,6 +21,9 @@ final class OpenClSmallStages implements SmallStages {
     private final BoundKernels kernels;
     private final Stats stats;
     private Substeps substeps;
+    /** Whether there is a detection in the step. */
+    private boolean lists;
+
     /** Detections queued, and those known to be done. */
     private long queued;
 
@@ -86,7 +89,8 @@ final class OpenClSmallStages implements SmallStages {
     }
 
     @Override
-    public void begin(Substeps now, float ratio) {
+    public void begin(Substeps now, float ratio, boolean hasDetection) {
+        lists = hasDetection;
         if (now == substeps && ratio == 1) {
             return;
         }
@@ -130,7 +134,7 @@ final class OpenClSmallStages implements SmallStages {
         waiting = count;
         SmallKernels now = now();
         if (!now.isAlone) {
-            now.solve.run(count, groups());
+            now.solve.run(count, groups(), lists);
         }
     }
 
@@ -150,7 +154,7 @@ final class OpenClSmallStages implements SmallStages {
         state.changes();
         SmallKernels now = now();
         if (now.isAlone) {
-            now.alone.solveLast(waiting);
+            now.alone.solveLast(waiting, lists);
         } else {
             now.integrate.publish();
         }

@@ -12,12 +12,14 @@ final class Solve {
 
     private static final int KICK = 1;
     private static final int MOVE_AND_KICK = 2;
+    private static final int KICK_ON = 3;
 
     private final Session session;
     private final Program program;
     /** The first tiling, where no substep comes before; where one does, by turns there and back; the others. */
     private final Kernel kickAndFirst;
 
+    private final Kernel kickOnAndFirst;
     private final Kernel moveAndFirst;
     private final Kernel moveAndFirstBack;
     private final List<Kernel> others = new ArrayList<>();
@@ -28,6 +30,7 @@ final class Solve {
         this.session = session;
         this.program = program;
         kickAndFirst = new Kernel(session, program, "c2d_solve");
+        kickOnAndFirst = new Kernel(session, program, "c2d_solve");
         moveAndFirst = new Kernel(session, program, "c2d_solve");
         moveAndFirstBack = new Kernel(session, program, "c2d_solve");
         rescale = new Kernel(session, program, "c2d_rescale");
@@ -35,6 +38,7 @@ final class Solve {
 
     void bind(SmallWorld world) {
         bind(kickAndFirst, world, 0, KICK, false);
+        bind(kickOnAndFirst, world, 0, KICK_ON, false);
         bind(moveAndFirst, world, 0, MOVE_AND_KICK, false);
         bind(moveAndFirstBack, world, 0, MOVE_AND_KICK, true);
         rescale.arguments(world.known()).range(Math.max(1, world.circles()), world.group());
@@ -71,11 +75,13 @@ final class Solve {
      * Substeps, as {@link io.github.circles2d.pipeline.SmallStages#solve} says.
      *
      * @param groups for so many tiles of a tiling
+     * @param lists whether there is a detection in the step
      */
-    void run(int substeps, int groups) {
+    void run(int substeps, int groups, boolean lists) {
+        Kernel kick = lists ? kickAndFirst : kickOnAndFirst;
         for (int substep = 0; substep < substeps; substep++) {
             Kernel move = substep % 2 == 0 ? moveAndFirst : moveAndFirstBack;
-            (substep == 0 ? kickAndFirst : move).launch(groups);
+            (substep == 0 ? kick : move).launch(groups);
             for (int k = 0; k < count; k++) {
                 others.get(k).launch(groups);
             }

@@ -15,7 +15,7 @@ import java.nio.FloatBuffer;
  */
 final class State {
     private static final int MOTION = 16;
-    private static final int STATUS_BYTES = (MOTION + 4 * Motion.NUMBERS + 15) / 16 * 16;
+    private static final int STATUS_BYTES = (MOTION + 4 * (Motion.NUMBERS + 1) + 15) / 16 * 16;
 
     /** {@code C2D_TOO_DENSE}. */
     private static final int TOO_DENSE = 2;

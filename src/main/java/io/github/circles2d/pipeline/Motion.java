@@ -21,10 +21,18 @@ public final class Motion {
 
     /** The highest of each, none below 0. */
     private final float[] most = new float[NUMBERS];
+    /** How far circles may have come since contacts were listed, before the step. */
+    private float gone;
 
     /** Of no circle. */
     public void clear() {
         Arrays.fill(most, 0);
+    }
+
+    /** Of no circle yet of a new step, which {@code lists} contacts or goes on with those listed. */
+    public void begin(boolean lists) {
+        gone = lists ? 0 : come();
+        clear();
     }
 
     /** Of one circle more, which goes so fast, world units a second, and has come so far in the step, world units. */
@@ -39,7 +47,7 @@ public final class Motion {
         atLeast(DOWN, -vy);
     }
 
-    /** Of those of another besides. */
+    /** Of those of another besides, as far as they move. */
     public void add(Motion other) {
         for (int k = 0; k < NUMBERS; k++) {
             atLeast(k, other.most[k]);
@@ -58,6 +66,7 @@ public final class Motion {
         for (int k = 0; k < NUMBERS; k++) {
             most[k] = status.getFloat(at + 4 * k);
         }
+        gone = status.getFloat(at + 4 * NUMBERS);
     }
 
     /** Nobody knows how far one may have come in the step. */
@@ -73,6 +82,11 @@ public final class Motion {
     /** The farthest that a circle has come in the step, world units; infinite where nobody knows. */
     public float moved() {
         return (float) Math.sqrt(most[MOVED_SQUARE]);
+    }
+
+    /** The farthest that a circle may have come since contacts were listed, in all steps since then, world units; of the stages alone. */
+    public float come() {
+        return gone + moved();
     }
 
     /** Highest speed, world units a second. */

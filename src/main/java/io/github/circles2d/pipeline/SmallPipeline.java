@@ -7,7 +7,8 @@ import java.nio.FloatBuffer;
  *
  * <p>A detection that finds more contacts than there is room for stalls the step, which is taken up again from there once
  * there is room: no contact is ever dropped. How a step is cut depends on the speeds after the last, so a step waits for
- * the one before. A step that can goes on with the contacts of that one.
+ * the one before. A step that can goes on with the contacts of that one, and where circles are slow for what these are good for, several
+ * do before anybody looks at how they move.
  */
 public final class SmallPipeline implements Stepper {
     private final WorldConfig config;
@@ -17,16 +18,18 @@ public final class SmallPipeline implements Stepper {
     private Levels[] levels;
 
     private Levels used;
-    /** How circles move after the last step; of no circle before the first. */
-    private Motion stepped = new Motion();
+    /** How circles moved when somebody looked last; of no circle before the first step. */
+    private final Motion stepped = new Motion();
     /** The same, with what was uploaded since. */
     private final Motion uploaded = new Motion();
     /** That one of the two which holds. */
     private Motion motion = stepped;
     /** Circles have come since that step. */
     private boolean added;
-    /** How much farther they may come with the contacts listed last, world units; less than is coming where the next step lists its own. */
+    /** How far they may come with the contacts listed last, world units; none where the next step lists its own. */
     private float skin = -1;
+    /** How far they may have come since. */
+    private float come;
 
     /** Substeps that the contacts listed last are good for yet, where lists outlast a step, and how much nearer two may have come since. */
     private int left;
@@ -34,6 +37,9 @@ public final class SmallPipeline implements Stepper {
     private float nearer;
     /** Substeps that a step began with before its first detection. */
     private int carried;
+
+    /** How many steps more go on with them before anybody looks at how circles move. */
+    private int ahead;
 
     private float before;
     /** Those that there may be, fewest first: a world that chooses anew in every step should allocate nothing then. */
@@ -77,6 +83,10 @@ public final class SmallPipeline implements Stepper {
 
     /** Circles that were set to be slower count as before it, too: to know how all move, all would have to be looked at. */
     private void moves(FloatBuffer velocities, Changes changed) {
+        if (ahead > 0) {
+            ahead = 0;
+            look();
+        }
         left = 0;
         uploaded.clear();
         uploaded.add(stepped);
@@ -97,17 +107,14 @@ public final class SmallPipeline implements Stepper {
 
     @Override
     public void step() {
-        await(false);
-        substeps = known.length == 1
-                ? known[0]
-                : known[Substeps.choose(config, population, motion.fastest()) / Tuning.AUTO_UNIT - 1];
-        // a list was made for substeps of a time
-        left = substeps.seconds() == before ? left : 0;
-        carried = coming() <= skin ? substeps.count() : substeps.carried(config, motion, used, left, nearer);
-        if (carried < substeps.count()) {
-            choose();
+        if (ahead > 0) {
+            ahead--;
+            carried = substeps.count();
+        } else {
+            await(false);
+            cut();
         }
-        stages.begin(substeps, before > 0 ? substeps.seconds() / before : 1);
+        stages.begin(substeps, before > 0 ? substeps.seconds() / before : 1, carried < substeps.count());
         before = substeps.seconds();
         lasts();
         if (carried > 0) {
@@ -122,6 +129,30 @@ public final class SmallPipeline implements Stepper {
         run(carried);
         added = false;
         inFlight = true;
+    }
+
+    /** How many substeps the step has, which of them list contacts, and how many steps more there are before anybody looks. */
+    private void cut() {
+        substeps = known.length == 1
+                ? known[0]
+                : known[Substeps.choose(config, population, motion.fastest()) / Tuning.AUTO_UNIT - 1];
+        // a list was made for substeps of a time
+        left = substeps.seconds() == before ? left : 0;
+        carried = come + coming() <= skin ? substeps.count() : substeps.carried(config, motion, used, left, nearer);
+        if (carried < substeps.count()) {
+            choose();
+            return;
+        }
+        int most = population.circles() <= Tuning.ALONE_CIRCLES ? Tuning.STEPS_A_LOOK : 1;
+        for (int steps = 2; steps <= most && isGoodFor(steps); steps++) {
+            ahead = steps - 1;
+        }
+    }
+
+    /** Whether the contacts listed last are good for so many steps wherever their circles go in the first ones. */
+    private boolean isGoodFor(int steps) {
+        return come + Tuning.FASTER * steps * coming() <= skin
+                && substeps.fall(config, steps * substeps.count()) <= Tuning.SKIN * population.minRadius();
     }
 
     /** What the step leaves of its last list. */
@@ -202,10 +233,20 @@ public final class SmallPipeline implements Stepper {
             detections += status.updates();
         }
         contacts = status.contacts();
-        stepped = stages.motion();
-        motion = stepped;
-        skin -= motion.moved();
         inFlight = false;
+        // whoever asks for the circles before changes nothing
+        if (ahead == 0) {
+            look();
+        }
+    }
+
+    private void look() {
+        Motion now = stages.motion();
+        come = now.come();
+        // which goes on with the next step
+        stepped.clear();
+        stepped.add(now);
+        motion = stepped;
     }
 
     @Override

@@ -21,11 +21,12 @@ public interface SmallStages extends DeviceState {
     void use(Levels levels);
 
     /**
-     * The numbers of the substeps that follow. Allocates nothing.
+     * Begins a step, with the numbers of its substeps. Allocates nothing.
      *
      * @param ratio of their time to that of those before; what is kept from one to the next is scaled by it
+     * @param lists whether there is a detection in it
      */
-    void begin(Substeps substeps, float ratio);
+    void begin(Substeps substeps, float ratio, boolean lists);
 
     /**
      * Sorts the circles by cell and lists the contacts within reach, with what is remembered of each. Between the moves

@@ -249,6 +249,16 @@ public final class Tuning {
     /** Steps that a list should be good for where circles are so slow that {@link #SKIN} would be good for more. 2 to 100. */
     public static final int SKIN_STEPS = 50;
 
+    /**
+     * Steps up to which a world of up to {@link #ALONE_CIRCLES} goes on before the host looks at how its circles move, where a list is good
+     * for as many and none can fall farther than {@link #SKIN} in them. 1 (a look after each) to 16: a look takes some 20 us of a GPU, a
+     * step of such a world 80. In larger worlds circles get faster within a few steps.
+     */
+    public static final int STEPS_A_LOOK = 8;
+
+    /** How many times faster circles may get until then, a factor. 2 to 10. */
+    public static final float FASTER = 4;
+
     /** Most levels of cells. */
     public static final int LEVELS = 20;
 

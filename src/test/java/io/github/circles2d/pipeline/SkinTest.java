@@ -1,5 +1,6 @@
 package io.github.circles2d.pipeline;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -7,6 +8,8 @@ import io.github.circles2d.host.HostSmallStages;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** A step goes on with the contacts that one before has listed, as long as none can be missing. */
 class SkinTest {
@@ -20,12 +23,15 @@ class SkinTest {
     private SmallPipeline pipeline;
     private int circles = CIRCLES;
     private int detections;
+    /** How often how circles move was looked at. */
+    private int looks;
 
     private void start(float gravity) {
         WorldConfig config = SmallSteps.box(1, Tuning.ALONE_CIRCLES, gravity);
         HostSmallStages host = new HostSmallStages(config);
         stages = SmallSteps.stages((proxy, method, arguments) -> {
             detections += method.getName().equals("detect") ? 1 : 0;
+            looks += method.getName().equals("motion") ? 1 : 0;
             return method.invoke(host, arguments);
         });
         pipeline = new SmallPipeline(config, stages);
@@ -43,6 +49,7 @@ class SkinTest {
             step();
         }
         detections = 0;
+        looks = 0;
     }
 
     private void circle(int i, float x, float y, float radius) {
@@ -131,5 +138,62 @@ class SkinTest {
         step();
         assertEquals(1, detections);
         everyOverlapIsListed();
+    }
+
+    @Test
+    void whereAPileStandsStepsAreSeldomLookedAtWhoeverAsksForThem() {
+        SkinTest asking = new SkinTest();
+        asking.settle();
+        settle();
+        for (int step = 0; step < 100; step++) {
+            asking.step();
+            pipeline.step();
+        }
+        pipeline.await();
+        stages.download(transforms, velocities);
+        assertArrayEquals(
+                SmallSteps.bits(asking.transforms, asking.velocities, CIRCLES),
+                SmallSteps.bits(transforms, velocities, CIRCLES));
+        assertTrue(looks > 10 && looks < 60, looks + " looks in 100 steps");
+        assertEquals(looks, asking.looks);
+        assertEquals(detections, asking.detections);
+    }
+
+    @Test
+    void aVelocitySetBetweenLooksCountsAtOnce() {
+        settle();
+        int before;
+        do {
+            before = looks;
+            step();
+        } while (looks > before);
+        velocities.put(0, 3).put(1, 1);
+        pipeline.velocities(velocities, SmallSteps.all(1));
+        assertEquals(before + 1, looks);
+        detections = 0;
+        step();
+        assertTrue(detections > 0, "none in the step after it");
+        everyOverlapIsListed();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 10", "1, 80"})
+    void largerWorldsAreLookedAtAfterEachStep(int more, int expected) {
+        int many = Tuning.ALONE_CIRCLES + more;
+        FloatBuffer still = SmallSteps.direct(4 * many);
+        FloatBuffer ones = SmallSteps.direct(many);
+        for (int i = 0; i < many; i++) {
+            still.put(4 * i, (1 + i % 40) / 42f)
+                    .put(4 * i + 1, (1 + i / 40) / 42f)
+                    .put(4 * i + 2, 0.005f);
+            ones.put(i, 1);
+        }
+        start(0);
+        pipeline.upload(Population.of(still, ones, many), SmallSteps.direct(2 * many), SmallSteps.all(many));
+        for (int step = 0; step < 80; step++) {
+            pipeline.step();
+        }
+        pipeline.await();
+        assertEquals(expected, looks, 1);
     }
 }
