@@ -2,12 +2,14 @@ package io.github.circles2d;
 
 import io.github.circles2d.pipeline.BackgroundSteps;
 import io.github.circles2d.pipeline.DeviceState;
+import io.github.circles2d.pipeline.Meanwhile;
 import io.github.circles2d.pipeline.Pipeline;
 import io.github.circles2d.pipeline.SmallPipeline;
 import io.github.circles2d.pipeline.SmallStages;
 import io.github.circles2d.pipeline.Stages;
 import io.github.circles2d.pipeline.StepSums;
 import io.github.circles2d.pipeline.Stepper;
+import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.nio.FloatBuffer;
 
@@ -40,7 +42,9 @@ final class WorldState {
     private Throwable failure;
 
     WorldState(ComputeDevice device, WorldConfig config, int capacity, boolean inBackground) {
-        circles = new CircleState(capacity, inBackground);
+        // Java clears them first: of a million that takes longer than a step
+        Meanwhile<CircleState> buffers =
+                new Meanwhile<>(capacity >= Tuning.COPY_CIRCLES, () -> new CircleState(capacity, inBackground));
         if (config.solver() == Solver.SMALL_STEPS) {
             SmallStages small = device.device().openSmall(config);
             stages = small;
@@ -51,6 +55,7 @@ final class WorldState {
             stepper = new Pipeline(opened);
         }
         try {
+            circles = buffers.get();
             background = inBackground ? new BackgroundSteps(stepper, stages) : null;
         } catch (RuntimeException | Error e) {
             stages.close();

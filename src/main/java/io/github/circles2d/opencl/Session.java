@@ -40,15 +40,19 @@ final class Session implements AutoCloseable {
         SignalCanary.handBack();
     }
 
-    /** Takes over a resource: it is closed with the session unless it is closed before. */
+    /** Takes over a resource: it is closed with the session unless it is closed before. From any thread, as programs are built by two. */
     <T extends AutoCloseable> T own(T resource) {
-        owned.push(resource);
+        synchronized (owned) {
+            owned.push(resource);
+        }
         return resource;
     }
 
     /** Gives a resource back to the caller, who closes it. */
     void disown(AutoCloseable resource) {
-        owned.remove(resource);
+        synchronized (owned) {
+            owned.remove(resource);
+        }
     }
 
     /**

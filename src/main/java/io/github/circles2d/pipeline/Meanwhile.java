@@ -1,0 +1,68 @@
+package io.github.circles2d.pipeline;
+
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.function.Supplier;
+
+/**
+ * Something that a thread of its own makes while the one that wants it does something else. That thread is none of Java's common pool:
+ * whoever keeps the pool busy would keep a world from being built.
+ *
+ * @param <T> what is made
+ */
+public final class Meanwhile<T> {
+    private final FutureTask<T> task;
+    private final boolean started;
+
+    /**
+     * Starts to make it.
+     *
+     * @param start false where that is not worth a thread, or not safe: then it is made where it is asked for
+     */
+    public Meanwhile(boolean start, Supplier<T> maker) {
+        task = new FutureTask<>(maker::get);
+        started = start;
+        if (start) {
+            Thread thread = new Thread(task, "circles2d-build");
+            thread.setDaemon(true);
+            thread.start();
+        }
+    }
+
+    /** What has been made. Waits for it, interrupted or not, and throws what making it has thrown. */
+    public T get() {
+        if (!started) {
+            task.run();
+        }
+        boolean interrupted = false;
+        try {
+            while (true) {
+                try {
+                    return task.get();
+                } catch (InterruptedException e) {
+                    interrupted = true;
+                }
+            }
+        } catch (ExecutionException e) {
+            if (e.getCause() instanceof Error error) {
+                throw error;
+            }
+            throw (RuntimeException) e.getCause();
+        } finally {
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+    }
+
+    /** Waits until nobody makes it any more: for who has failed and does not want it. What that has thrown goes with the failure. */
+    public void drop(Throwable failure) {
+        if (started) {
+            try {
+                get();
+            } catch (RuntimeException | Error e) {
+                failure.addSuppressed(e);
+            }
+        }
+    }
+}
