@@ -2,7 +2,6 @@ package io.github.circles2d.opencl;
 
 import io.github.circles2d.pipeline.IndexStrategies;
 import io.github.circles2d.pipeline.Levels;
-import io.github.circles2d.pipeline.Meanwhile;
 import io.github.circles2d.pipeline.Tiles;
 import io.github.circles2d.pipeline.WorldConfig;
 import java.util.Arrays;
@@ -21,7 +20,7 @@ final class BoundKernels {
     /** By levels and turn; those of the first levels, and of others once they are needed. */
     private SmallKernels[] kernels;
 
-    private boolean wide;
+    private Boolean wide;
     private Program program;
     private final Program solving;
     private Kernel load;
@@ -40,36 +39,28 @@ final class BoundKernels {
         this.state = state;
         this.heap = heap;
         tables = config.strategy().pairwise() ? new PairTables(session, config) : null;
-        // PoCL's compiler takes over the JVM's signals while it works: there one after the other
-        Meanwhile<Program> main =
-                new Meanwhile<>(session.device.isGpu(), () -> SmallKernels.program(session, config, false));
-        try {
-            solving = SmallKernels.solving(session, config);
-        } catch (RuntimeException | Error e) {
-            main.drop(e);
-            throw e;
-        }
-        take(main.get(), false);
+        solving = SmallKernels.solving(session, config);
+        compile(false);
     }
 
     /** Compiles the kernels that so many circles need, unless they are so already: only pairs have numbers, of 32 or of 64 bits. */
     void compile(int circles) {
-        boolean wanted = config.strategy().pairwise() && IndexStrategies.wide(circles);
-        if (wide != wanted) {
-            take(SmallKernels.program(session, config, wanted), wanted);
-        }
+        compile(config.strategy().pairwise() && IndexStrategies.wide(circles));
     }
 
-    private void take(Program compiled, boolean isWide) {
+    private void compile(boolean wanted) {
+        if (wide != null && wide == wanted) {
+            return;
+        }
         Program old = program;
-        program = compiled;
+        program = SmallKernels.program(session, config, wanted);
         // kernels of the old program go with the session; a world crosses this line once
         kernels = new SmallKernels[] {
             new SmallKernels(session, program, solving, tables), new SmallKernels(session, program, solving, tables)
         };
         load = new Kernel(session, program, "c2d_load");
         restore = new Kernel(session, program, "c2d_find_restore");
-        wide = isWide;
+        wide = wanted;
         if (old != null) {
             old.close();
         }

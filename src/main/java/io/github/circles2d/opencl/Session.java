@@ -40,19 +40,15 @@ final class Session implements AutoCloseable {
         SignalCanary.handBack();
     }
 
-    /** Takes over a resource: it is closed with the session unless it is closed before. From any thread, as programs are built by two. */
+    /** Takes over a resource: it is closed with the session unless it is closed before. */
     <T extends AutoCloseable> T own(T resource) {
-        synchronized (owned) {
-            owned.push(resource);
-        }
+        owned.push(resource);
         return resource;
     }
 
     /** Gives a resource back to the caller, who closes it. */
     void disown(AutoCloseable resource) {
-        synchronized (owned) {
-            owned.remove(resource);
-        }
+        owned.remove(resource);
     }
 
     /**

@@ -17,7 +17,7 @@ public final class Meanwhile<T> {
     /**
      * Starts to make it.
      *
-     * @param start false where that is not worth a thread, or not safe: then it is made where it is asked for
+     * @param start false where that is not worth a thread: then it is made where it is asked for
      */
     public Meanwhile(boolean start, Supplier<T> maker) {
         task = new FutureTask<>(maker::get);
@@ -51,17 +51,6 @@ public final class Meanwhile<T> {
         } finally {
             if (interrupted) {
                 Thread.currentThread().interrupt();
-            }
-        }
-    }
-
-    /** Waits until nobody makes it any more: for who has failed and does not want it. What that has thrown goes with the failure. */
-    public void drop(Throwable failure) {
-        if (started) {
-            try {
-                get();
-            } catch (RuntimeException | Error e) {
-                failure.addSuppressed(e);
             }
         }
     }

@@ -13,7 +13,6 @@ import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.IndexStrategy;
 import io.github.circles2d.Internals;
 import io.github.circles2d.KernelBuildException;
-import io.github.circles2d.OpenClException;
 import io.github.circles2d.StepStats;
 import io.github.circles2d.TestDevices;
 import io.github.circles2d.ThrowingStrategy;
@@ -21,8 +20,6 @@ import io.github.circles2d.pipeline.Tuning;
 import java.lang.reflect.Proxy;
 import java.nio.ByteBuffer;
 import java.util.List;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import org.jocl.CL;
 import org.jocl.cl_mem;
 import org.junit.jupiter.api.AfterEach;
@@ -179,50 +176,6 @@ class FaultyDeviceTest {
         Circles2D.Builder builder = Internals.thesis().device(silent(Integer.MAX_VALUE, builds));
         assertThrows(KernelBuildException.class, builder::build);
         assertEquals(Tuning.BUILDS, builds[0]);
-    }
-
-    @Test
-    void aGpusProgramsAreBuiltByTwoThreads() {
-        faulty.limit(CL.CL_DEVICE_TYPE, CL.CL_DEVICE_TYPE_GPU);
-        Set<Thread> builders = ConcurrentHashMap.newKeySet();
-        ClApi api = (ClApi) Proxy.newProxyInstance(
-                ClApi.class.getClassLoader(), new Class<?>[] {ClApi.class}, (proxy, method, arguments) -> {
-                    if (method.getName().equals("buildProgram")) {
-                        builders.add(Thread.currentThread());
-                    }
-                    return method.invoke(faulty.api(), arguments);
-                });
-        ComputeDevice gpu = Internals.computeDevice(OpenClDevices.list(api).get(0));
-        assertEquals(ComputeDevice.Type.GPU, gpu.type());
-        try (Circles2D world = Circles2D.builder().device(gpu).build()) {
-            assertEquals(2, builders.size());
-            world.addCircle(0.5f, 0.5f, 0.1f, 1);
-            world.step();
-            assertTrue(world.snapshot().y(0) < 0.5f);
-        }
-    }
-
-    @Test
-    void aGpusProgramThatIsNotBuiltLosesNothing() {
-        faulty.limit(CL.CL_DEVICE_TYPE, CL.CL_DEVICE_TYPE_GPU);
-        Circles2D.Builder builder = Circles2D.builder().device(device());
-        faulty.behave();
-        builder.build().close();
-        List<String> calls = faulty.calls();
-        int tried = 0;
-        for (int call = 0; call < calls.size(); call++) {
-            if (Set.of("createProgramWithSource", "buildProgram").contains(calls.get(call))) {
-                faulty.fail(call, CL.CL_OUT_OF_HOST_MEMORY, false);
-                assertThrows(OpenClException.class, builder::build);
-                assertEquals(List.of(), faulty.live());
-                tried++;
-            }
-        }
-        assertEquals(4, tried);
-        faulty.fail(calls.indexOf("createProgramWithSource"), CL.CL_OUT_OF_HOST_MEMORY, true);
-        assertThrows(OpenClException.class, builder::build);
-        faulty.behave();
-        builder.build().close();
     }
 
     @Test

@@ -1,7 +1,6 @@
 package io.github.circles2d.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotSame;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -59,28 +58,6 @@ class MeanwhileTest {
         interrupted.countDown();
         assertEquals(5, made.get());
         assertTrue(Thread.interrupted());
-    }
-
-    @Test
-    void whatNobodyWantsIsWaitedForAndItsFailureKept() {
-        Exception failure = new Exception("why nobody wants it");
-        boolean[] done = {false};
-        CountDownLatch dropped = new CountDownLatch(1);
-        Meanwhile<Integer> made = new Meanwhile<>(true, () -> {
-            await(dropped);
-            done[0] = true;
-            return 5;
-        });
-        dropped.countDown();
-        made.drop(failure);
-        assertTrue(done[0]);
-        assertEquals(0, failure.getSuppressed().length);
-        Error error = new AssertionError("on purpose");
-        throwing(true, error).drop(failure);
-        assertSame(error, failure.getSuppressed()[0]);
-        done[0] = false;
-        new Meanwhile<>(false, () -> done[0] = true).drop(failure);
-        assertFalse(done[0]);
     }
 
     private static Meanwhile<Integer> throwing(boolean start, Throwable thrown) {
