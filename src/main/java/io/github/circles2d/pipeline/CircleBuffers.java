@@ -84,6 +84,12 @@ public final class CircleBuffers {
 
     /** Makes transforms of what devices have, (x, y, radius, mass) a circle, where they have been copied as they are. */
     public static void setAngles(FloatBuffer transforms, int from, int end) {
+        for (int i = from; i < end; i += Tuning.CIRCLES_A_CALL) {
+            setAnglesOfFew(transforms, i, Math.min(end, i + Tuning.CIRCLES_A_CALL));
+        }
+    }
+
+    private static void setAnglesOfFew(FloatBuffer transforms, int from, int end) {
         for (int i = from; i < end; i++) {
             transforms.put(4 * i + 3, 0);
         }

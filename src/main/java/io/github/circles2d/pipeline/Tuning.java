@@ -89,6 +89,12 @@ public final class Tuning {
     /** How often a world's circles are copied by one thread before several do, times: the JVM has compiled it by then. 0 to 100. */
     public static final int COPIES_ALONE = 8;
 
+    /**
+     * Circles that a method goes through in one call where a world is new, 16 to 256: what is called often a young JVM compiles after some
+     * thousand of them, what goes round for long only after 60,000.
+     */
+    public static final int CIRCLES_A_CALL = 64;
+
     /** Circles of which, where the velocity of one is set, those of all are sent to the device. 1 to 2^14: a bit for so many. */
     public static final int CHANGED_TOGETHER = 1 << 8;
 
