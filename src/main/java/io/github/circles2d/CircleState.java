@@ -53,7 +53,7 @@ final class CircleState implements Snapshot {
 
     void setVelocity(int slot, float vx, float vy) {
         shown.velocities().put(2 * slot, vx).put(2 * slot + 1, vy);
-        changes.add(slot);
+        changes.add(slot, vx != 0 || vy != 0);
     }
 
     /** Those that are not as the last step left them: cleared with the next. */

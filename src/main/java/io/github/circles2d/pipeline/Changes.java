@@ -8,19 +8,33 @@ import java.util.BitSet;
  */
 public final class Changes {
     private final BitSet changed = new BitSet();
+    /** Those of which some were set going. */
+    private final BitSet moving = new BitSet();
+    /** Which of the two {@link #next} goes through. */
+    private BitSet those = changed;
+
     private int circles;
     private int apart;
     private int from;
     private int end;
 
-    /** A circle has changed. */
+    /** A circle has changed, and may move. */
     public void add(int circle) {
+        add(circle, true);
+    }
+
+    /** A circle has changed, and {@code moves} or rests: a new world of a million at rest need not be looked through for the fastest. */
+    public void add(int circle, boolean moves) {
         changed.set(circle / Tuning.CHANGED_TOGETHER);
+        if (moves) {
+            moving.set(circle / Tuning.CHANGED_TOGETHER);
+        }
     }
 
     /** A step has them all. */
     public void clear() {
         changed.clear();
+        moving.clear();
     }
 
     /**
@@ -30,6 +44,16 @@ public final class Changes {
      * @param most how many that have not changed may be between others of one run
      */
     public void rewind(int count, int most) {
+        rewind(changed, count, most);
+    }
+
+    /** The same of those among which some have changed that move. */
+    public void rewindMoving(int count) {
+        rewind(moving, count, 0);
+    }
+
+    private void rewind(BitSet lots, int count, int most) {
+        those = lots;
         circles = count;
         apart = most / Tuning.CHANGED_TOGETHER;
         from = 0;
@@ -38,15 +62,15 @@ public final class Changes {
 
     /** Goes on to the next run; whether there is one. There may be circles in it that have not changed. */
     public boolean next() {
-        int lot = changed.nextSetBit((end + Tuning.CHANGED_TOGETHER - 1) / Tuning.CHANGED_TOGETHER);
+        int lot = those.nextSetBit((end + Tuning.CHANGED_TOGETHER - 1) / Tuning.CHANGED_TOGETHER);
         if (lot < 0 || (long) lot * Tuning.CHANGED_TOGETHER >= circles) {
             return false;
         }
         from = lot * Tuning.CHANGED_TOGETHER;
         int after;
         do {
-            after = changed.nextClearBit(lot);
-            lot = changed.nextSetBit(after);
+            after = those.nextClearBit(lot);
+            lot = those.nextSetBit(after);
         } while (lot >= 0 && lot - after <= apart);
         end = (int) Math.min(circles, (long) after * Tuning.CHANGED_TOGETHER);
         return true;

@@ -44,19 +44,8 @@ public record Population(
 
     /** Says how circles {@code from .. end - 1} move, whose velocities are not those after a step. The arithmetic is that of {@code c2d_publish}. */
     void motion(FloatBuffer velocities, int from, int end, Motion motion) {
-        for (int i = from; i < end; i += Tuning.CIRCLES_A_CALL) {
-            motionOfFew(velocities, i, Math.min(end, i + Tuning.CIRCLES_A_CALL), motion);
-        }
-    }
-
-    private void motionOfFew(FloatBuffer velocities, int from, int end, Motion motion) {
         for (int i = from; i < end; i++) {
-            float vx = velocities.get(2 * i);
-            float vy = velocities.get(2 * i + 1);
-            // most circles of a new world rest, and add nothing
-            if (vx != 0 || vy != 0) {
-                motion.add(vx, vy, transforms.get(4 * i + 2), 0, 0);
-            }
+            motion.add(velocities.get(2 * i), velocities.get(2 * i + 1), transforms.get(4 * i + 2), 0, 0);
         }
     }
 }

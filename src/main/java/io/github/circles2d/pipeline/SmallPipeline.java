@@ -93,7 +93,7 @@ public final class SmallPipeline implements Stepper {
         if (added) {
             uploaded.anyFar();
         }
-        changed.rewind(population.circles(), 0);
+        changed.rewindMoving(population.circles());
         while (changed.next()) {
             population.motion(velocities, changed.from(), changed.end(), uploaded);
         }

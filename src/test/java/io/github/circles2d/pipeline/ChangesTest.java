@@ -49,4 +49,29 @@ class ChangesTest {
         }
         assertTrue(several > 50, "worlds of several runs: " + several);
     }
+
+    @Test
+    void thoseThatMoveAreLookedThroughAlone() {
+        Changes changes = new Changes();
+        int circles = 5 * Tuning.CHANGED_TOGETHER;
+        for (int i = 0; i < circles; i++) {
+            changes.add(i, i == 2 * Tuning.CHANGED_TOGETHER);
+        }
+        changes.rewindMoving(circles);
+        assertTrue(changes.next());
+        assertEquals(2 * Tuning.CHANGED_TOGETHER, changes.from());
+        assertEquals(3 * Tuning.CHANGED_TOGETHER, changes.end());
+        assertFalse(changes.next());
+        changes.rewind(circles, 0);
+        assertTrue(changes.next());
+        assertEquals(0, changes.from());
+        assertEquals(circles, changes.end());
+        // among these may be others that move
+        changes.add(2 * Tuning.CHANGED_TOGETHER, false);
+        changes.rewindMoving(circles);
+        assertTrue(changes.next());
+        changes.clear();
+        changes.rewindMoving(circles);
+        assertFalse(changes.next());
+    }
 }
