@@ -84,15 +84,9 @@ final class StagedCircles {
         FloatBuffer to = staging.floats();
         to.put(floats * from, host, floats * (first + from), floats * (end - from));
         if (masses != null) {
-            for (int i = from; i < end; i += Tuning.CIRCLES_A_CALL) {
-                setMassesOfFew(to, i, Math.min(end, i + Tuning.CIRCLES_A_CALL));
+            for (int i = from; i < end; i++) {
+                to.put(TRANSFORM * i + 3, masses.get(first + i));
             }
-        }
-    }
-
-    private void setMassesOfFew(FloatBuffer to, int from, int end) {
-        for (int i = from; i < end; i++) {
-            to.put(TRANSFORM * i + 3, masses.get(first + i));
         }
     }
 }

@@ -1,7 +1,7 @@
 package io.github.circles2d.pipeline;
 
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.Supplier;
 
 /**
@@ -11,7 +11,8 @@ import java.util.function.Supplier;
  * @param <T> what is made
  */
 public final class Meanwhile<T> {
-    private final FutureTask<T> task;
+    private final CompletableFuture<T> made = new CompletableFuture<>();
+    private final Supplier<T> maker;
     private final boolean started;
 
     /**
@@ -20,38 +21,30 @@ public final class Meanwhile<T> {
      * @param start false where that is not worth a thread: then it is made where it is asked for
      */
     public Meanwhile(boolean start, Supplier<T> maker) {
-        task = new FutureTask<>(maker::get);
+        this.maker = maker;
         started = start;
         if (start) {
-            Thread thread = new Thread(task, "circles2d-build");
-            thread.setDaemon(true);
-            thread.start();
+            made.completeAsync(maker, task -> {
+                Thread thread = new Thread(task, "circles2d-build");
+                thread.setDaemon(true);
+                thread.start();
+            });
         }
     }
 
     /** What has been made. Waits for it, interrupted or not, and throws what making it has thrown. */
     public T get() {
         if (!started) {
-            task.run();
+            // does nothing where it has been made
+            made.completeAsync(maker, Runnable::run);
         }
-        boolean interrupted = false;
         try {
-            while (true) {
-                try {
-                    return task.get();
-                } catch (InterruptedException e) {
-                    interrupted = true;
-                }
-            }
-        } catch (ExecutionException e) {
+            return made.join();
+        } catch (CompletionException e) {
             if (e.getCause() instanceof Error error) {
                 throw error;
             }
             throw (RuntimeException) e.getCause();
-        } finally {
-            if (interrupted) {
-                Thread.currentThread().interrupt();
-            }
         }
     }
 }
