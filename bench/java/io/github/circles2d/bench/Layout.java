@@ -1,11 +1,9 @@
 package io.github.circles2d.bench;
 
-import io.github.circles2d.CircleDef;
 import io.github.circles2d.Circles2D;
 import io.github.circles2d.ComputeDevice;
 import io.github.circles2d.Snapshot;
 import io.github.circles2d.demo.Scene;
-import java.io.Serializable;
 import java.util.SplittableRandom;
 
 /**
@@ -14,7 +12,7 @@ import java.util.SplittableRandom;
  * @param x centres, world units, in the unit square
  * @param radius world units
  */
-public record Layout(float[] x, float[] y, float[] radius, float[] mass) implements Serializable {
+public record Layout(float[] x, float[] y, float[] radius, float[] mass) {
     /** Whose rules and circles these are. */
     public static final Scene SCENE = Scene.PILE;
 
@@ -88,14 +86,23 @@ public record Layout(float[] x, float[] y, float[] radius, float[] mass) impleme
         return sum / count();
     }
 
+    /** (x, y, radius, mass) of each. */
+    float[] circles() {
+        float[] circles = new float[4 * count()];
+        for (int i = 0; i < count(); i++) {
+            circles[4 * i] = x[i];
+            circles[4 * i + 1] = y[i];
+            circles[4 * i + 2] = radius[i];
+            circles[4 * i + 3] = mass[i];
+        }
+        return circles;
+    }
+
     /** A world with these circles and the rules of the scene. */
     public Circles2D world(Circles2D.Builder builder) {
         Circles2D world = SCENE.empty(builder, count());
         try {
-            CircleDef def = new CircleDef();
-            for (int i = 0; i < count(); i++) {
-                world.addCircle(def.position(x[i], y[i]).radius(radius[i]).mass(mass[i]));
-            }
+            world.addCircles(circles());
             return world;
         } catch (RuntimeException e) {
             world.close();

@@ -8,6 +8,7 @@ import java.io.ObjectOutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -17,7 +18,7 @@ import org.openjdk.jmh.util.ListStatistics;
 
 /**
  * From nothing to the first step: 1,000 to 1,000,000 circles of the scene {@code pile}, {@code grid()}, {@code SMALL_STEPS} at 8
- * substeps, on every device, in a fresh JVM each time. Milliseconds to list the devices, to build a world with all of its circles, and
+ * substeps, on every device, in a fresh JVM each time. Milliseconds to list the devices, to build a world, to add all circles to it in one call, and
  * for the first two steps, each with its read-back. Twice: {@code cold}, the driver has not compiled these kernels before, its cache
  * being an empty folder; and {@code warm}, it has. Drivers that keep their cache elsewhere than NVIDIA's and PoCL leave the folder empty,
  * and cold means nothing there: the table has its size. Written into a folder as {@code start.md}, {@code .png} and {@code .csv}. A
@@ -39,13 +40,16 @@ public final class Start {
             "list ms",
             "circles ms",
             "build ms",
+            "add ms",
             "first ms",
             "second ms",
             "runs",
             "cache KiB");
-    private static final int PHASES = 5;
+    private static final int PHASES = 6;
+    /** From this phase on to {@link #FIRST} a world becomes ready. */
     private static final int BUILD = 2;
-    private static final int FIRST = 3;
+
+    private static final int FIRST = 4;
 
     /** What is known of one device, cache and number of circles. */
     private static final class Runs {
@@ -59,7 +63,7 @@ public final class Start {
             for (int i = 0; i < ms.length; i++) {
                 phases.get(i).addValue(ms[i]);
             }
-            ready.addValue(ms[BUILD] + ms[FIRST]);
+            ready.addValue(Arrays.stream(ms, BUILD, FIRST + 1).sum());
             cached = bytes;
         }
 
@@ -88,7 +92,7 @@ public final class Start {
             for (int circles : args.numbers("circles", "1000", "100000", "1000000")) {
                 Path file = Files.createTempFile("circles", "");
                 try {
-                    write(Layout.start(circles), file);
+                    write(Layout.start(circles).circles(), file);
                     for (ComputeDevice device : Machine.devices(args)) {
                         measure(args, rows, device, circles, file);
                     }
@@ -100,9 +104,9 @@ public final class Start {
         write(rows, folder);
     }
 
-    private static void write(Layout layout, Path file) throws IOException {
+    private static void write(float[] circles, Path file) throws IOException {
         try (ObjectOutputStream out = new ObjectOutputStream(new BufferedOutputStream(Files.newOutputStream(file)))) {
-            out.writeObject(layout);
+            out.writeObject(circles);
         }
     }
 
@@ -159,7 +163,7 @@ public final class Start {
                         "The scene pile, grid(), SMALL_STEPS at 8 substeps, in a fresh JVM each time; milliseconds, medians."
                                 + " Cold: the driver's cache of compiled kernels is an empty folder (its size afterwards is the last"
                                 + " column). Warm: the same folder again. A world and its first step: building the world, adding all"
-                                + " circles, the first step and its read-back; least and most of all runs. Listing the devices, the first"
+                                + " circles (addCircles), the first step and its read-back; least and most of all runs. Listing the devices, the first"
                                 + " call, loads OpenCL. The circles come from a file, so that none of the library has run before; reading"
                                 + " it counts to none of the others.")
                 .table(
@@ -172,7 +176,8 @@ public final class Start {
                         "most",
                         "list devices",
                         "read circles",
-                        "build, add circles",
+                        "build",
+                        "add circles",
                         "first step",
                         "second step",
                         "runs",

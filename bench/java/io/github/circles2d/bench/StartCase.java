@@ -15,7 +15,7 @@ import java.util.List;
 final class StartCase {
     private StartCase() {}
 
-    /** Takes the device's index and a file with a {@link Layout}: to make the circles of a scene would warm the library up. */
+    /** Takes the device's index and a file with {@link Layout#circles}: to make the circles of a scene would warm the library up. */
     public static void main(String[] args) throws IOException, ClassNotFoundException {
         long start = System.nanoTime();
         List<ComputeDevice> devices = ComputeDevice.list();
@@ -26,18 +26,21 @@ final class StartCase {
                 .indexStrategy(IndexStrategy.grid())
                 .substeps(8);
         start = System.nanoTime();
-        Layout layout = read(Path.of(args[1]));
-        double circles = since(start);
+        float[] circles = read(Path.of(args[1]));
+        double read = since(start);
         start = System.nanoTime();
-        try (Circles2D world = layout.world(builder)) {
+        try (Circles2D world = Layout.SCENE.empty(builder, circles.length / 4)) {
             double build = since(start);
-            Child.result(list, circles, build, step(world), step(world));
+            start = System.nanoTime();
+            world.addCircles(circles);
+            double add = since(start);
+            Child.result(list, read, build, add, step(world), step(world));
         }
     }
 
-    private static Layout read(Path file) throws IOException, ClassNotFoundException {
+    private static float[] read(Path file) throws IOException, ClassNotFoundException {
         try (ObjectInputStream in = new ObjectInputStream(new BufferedInputStream(Files.newInputStream(file)))) {
-            return (Layout) in.readObject();
+            return (float[]) in.readObject();
         }
     }
 

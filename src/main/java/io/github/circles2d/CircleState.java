@@ -29,16 +29,7 @@ final class CircleState implements Snapshot {
 
     /** Adds a circle and returns its slot. */
     int add(float x, float y, float radius, float mass, float vx, float vy) {
-        int room = shown.room();
-        if (count == room) {
-            if (room == Tuning.MAX_CIRCLES) {
-                throw new CapacityException("a world holds at most " + Tuning.MAX_CIRCLES + " circles");
-            }
-            int more = (int) Math.min(Tuning.MAX_CIRCLES, Math.max(Tuning.FIRST_CIRCLES, room * Tuning.GROWTH));
-            FloatBuffer moreMasses = CircleBuffers.grown(masses, 1, more);
-            shown.grow(more);
-            masses = moreMasses;
-        }
+        makeRoom(1);
         int slot = count++;
         shown.transforms()
                 .put(4 * slot, x)
@@ -49,6 +40,52 @@ final class CircleState implements Snapshot {
         radii.add(radius);
         setVelocity(slot, vx, vy);
         return slot;
+    }
+
+    /**
+     * Adds circles and returns the slot of the first; the others follow.
+     *
+     * @param circles (x, y, radius, mass) of each
+     * @param velocities (vx, vy) of each; null: at rest
+     */
+    int addAll(float[] circles, float[] velocities) {
+        int more = circles.length / 4;
+        makeRoom(more);
+        int first = count;
+        shown.transforms().put(4 * first, circles);
+        CircleBuffers.setAngles(shown.transforms(), first, first + more);
+        for (int i = 0; i < more; i += Tuning.CIRCLES_A_CALL) {
+            addFew(circles, i, Math.min(more, i + Tuning.CIRCLES_A_CALL));
+        }
+        // a slot that nobody has had yet is at rest
+        if (velocities != null) {
+            shown.velocities().put(2 * first, velocities);
+        }
+        changes.add(first, first + more, velocities != null);
+        count += more;
+        return first;
+    }
+
+    private void addFew(float[] circles, int from, int end) {
+        for (int i = from; i < end; i++) {
+            masses.put(count + i, circles[4 * i + 3]);
+            radii.add(circles[4 * i + 2]);
+        }
+    }
+
+    private void makeRoom(int more) {
+        int room = shown.room();
+        if (more <= room - count) {
+            return;
+        }
+        if (more > Tuning.MAX_CIRCLES - count) {
+            throw new CapacityException("a world holds at most " + Tuning.MAX_CIRCLES + " circles");
+        }
+        double wanted = Math.max(Math.max(Tuning.FIRST_CIRCLES, count + more), room * Tuning.GROWTH);
+        int grown = (int) Math.min(Tuning.MAX_CIRCLES, wanted);
+        FloatBuffer moreMasses = CircleBuffers.grown(masses, 1, grown);
+        shown.grow(grown);
+        masses = moreMasses;
     }
 
     void setVelocity(int slot, float vx, float vy) {

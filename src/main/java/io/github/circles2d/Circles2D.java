@@ -1,6 +1,5 @@
 package io.github.circles2d;
 
-import io.github.circles2d.pipeline.Tuning;
 import io.github.circles2d.pipeline.WorldConfig;
 
 /**
@@ -127,18 +126,37 @@ public final class Circles2D implements AutoCloseable {
 
     private long add(float x, float y, float radius, float mass, float vx, float vy) {
         requireUsable();
-        Check.range("x", x, config.minX(), config.maxX());
-        Check.range("y", y, config.minY(), config.maxY());
-        Check.range("radius", radius, Tuning.MIN_RADIUS, Tuning.MAX_RADIUS);
-        Check.range("mass", mass, Tuning.MIN_MASS, Tuning.MAX_MASS);
-        Check.magnitude("vx", vx, Tuning.MAX_SPEED);
-        Check.magnitude("vy", vy, Tuning.MAX_SPEED);
-        // as the kernels compute it: a circle fits if its centre has somewhere to be
-        if (config.minX() + radius > config.maxX() - radius || config.minY() + radius > config.maxY() - radius) {
-            throw new IllegalArgumentException("radius = " + radius + ": the circle must fit into the bounds, "
-                    + (config.maxX() - config.minX()) + " x " + (config.maxY() - config.minY()));
-        }
+        Check.circle(config, x, y, radius, mass);
+        Check.velocity(vx, vy);
         return state.toChange().add(x, y, radius, mass, vx, vy);
+    }
+
+    /**
+     * Adds circles at rest, several times as fast as one after the other: a level that is loaded. All of them or none.
+     *
+     * @param circles (x, y, radius, mass) of each, as {@link #addCircle(float, float, float, float)} wants them; copied
+     * @return the handle of the first; those of the others follow, each one more
+     * @throws IllegalArgumentException if a number is out of its range, which the message names with its circle's place in the array, or
+     *     the array ends within a circle; the world is unchanged
+     * @throws CapacityException if Java has no memory for them; the world is unchanged
+     */
+    public synchronized long addCircles(float[] circles) {
+        return addAll(circles, null);
+    }
+
+    /**
+     * The same with velocities.
+     *
+     * @param velocities (vx, vy) of each, as {@link #setVelocity} wants them; copied
+     */
+    public synchronized long addCircles(float[] circles, float[] velocities) {
+        return addAll(circles, Check.given("velocities", velocities));
+    }
+
+    private long addAll(float[] circles, float[] velocities) {
+        requireUsable();
+        Check.circles(config, circles, velocities);
+        return state.toChange().addAll(circles, velocities);
     }
 
     /**
@@ -156,8 +174,7 @@ public final class Circles2D implements AutoCloseable {
             throw new IllegalArgumentException(
                     "circle = " + circle + ": not a handle of this world, which has " + count + " circles");
         }
-        Check.magnitude("vx", vx, Tuning.MAX_SPEED);
-        Check.magnitude("vy", vy, Tuning.MAX_SPEED);
+        Check.velocity(vx, vy);
         state.toChange().setVelocity((int) circle, vx, vy);
     }
 

@@ -31,6 +31,17 @@ public final class Changes {
         }
     }
 
+    /** Circles {@code from} to {@code end} - 1 have changed, and may {@code move} or rest. */
+    public void add(int from, int end, boolean move) {
+        if (from < end) {
+            int after = (end - 1) / Tuning.CHANGED_TOGETHER + 1;
+            changed.set(from / Tuning.CHANGED_TOGETHER, after);
+            if (move) {
+                moving.set(from / Tuning.CHANGED_TOGETHER, after);
+            }
+        }
+    }
+
     /** A step has them all. */
     public void clear() {
         changed.clear();

@@ -74,4 +74,41 @@ class ChangesTest {
         changes.rewindMoving(circles);
         assertFalse(changes.next());
     }
+
+    @Test
+    void circlesAddedTogetherAreTheSameAsOneByOne() {
+        int circles = 7 * Tuning.CHANGED_TOGETHER;
+        int[] ends = {0, 1, Tuning.CHANGED_TOGETHER - 1, Tuning.CHANGED_TOGETHER, 3 * Tuning.CHANGED_TOGETHER + 5};
+        for (int from : ends) {
+            for (int end : ends) {
+                Changes together = new Changes();
+                Changes apart = new Changes();
+                for (boolean moves : new boolean[] {false, true}) {
+                    together.add(from, end, moves);
+                    for (int i = from; i < end; i++) {
+                        apart.add(i, moves);
+                    }
+                    assertSameRuns(circles, apart, together);
+                }
+            }
+        }
+    }
+
+    private static void assertSameRuns(int circles, Changes wanted, Changes changes) {
+        for (boolean moving : new boolean[] {false, true}) {
+            for (Changes each : new Changes[] {wanted, changes}) {
+                if (moving) {
+                    each.rewindMoving(circles);
+                } else {
+                    each.rewind(circles, 0);
+                }
+            }
+            while (wanted.next()) {
+                assertTrue(changes.next());
+                assertEquals(wanted.from(), changes.from());
+                assertEquals(wanted.end(), changes.end());
+            }
+            assertFalse(changes.next());
+        }
+    }
 }
