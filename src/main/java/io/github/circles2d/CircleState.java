@@ -52,10 +52,15 @@ final class CircleState implements Snapshot {
         int more = circles.length / 4;
         makeRoom(more);
         int first = count;
-        shown.transforms().put(4 * first, circles);
-        CircleBuffers.setAngles(shown.transforms(), first, first + more);
+        float[] few = new float[4 * Tuning.CIRCLES_A_CALL];
+        float[] fewMasses = new float[Tuning.CIRCLES_A_CALL];
         for (int i = 0; i < more; i += Tuning.CIRCLES_A_CALL) {
-            addFew(circles, i, Math.min(more, i + Tuning.CIRCLES_A_CALL));
+            int end = Math.min(more, i + Tuning.CIRCLES_A_CALL);
+            System.arraycopy(circles, 4 * i, few, 0, 4 * (end - i));
+            radii.add(few, end - i);
+            takeMasses(few, fewMasses);
+            shown.transforms().put(4 * (first + i), few, 0, 4 * (end - i));
+            masses.put(first + i, fewMasses, 0, end - i);
         }
         // a slot that nobody has had yet is at rest
         if (velocities != null) {
@@ -66,10 +71,11 @@ final class CircleState implements Snapshot {
         return first;
     }
 
-    private void addFew(float[] circles, int from, int end) {
-        for (int i = from; i < end; i++) {
-            masses.put(count + i, circles[4 * i + 3]);
-            radii.add(circles[4 * i + 2]);
+    /** Takes the masses out of (x, y, radius, mass) and leaves transforms. */
+    private static void takeMasses(float[] circles, float[] masses) {
+        for (int i = 0; i < masses.length; i++) {
+            masses[i] = circles[4 * i + 3];
+            circles[4 * i + 3] = 0;
         }
     }
 
