@@ -1,5 +1,6 @@
 // Finds the circles that overlap and the vector that parts them (thesis, chapter 4, kernels 2 to 4).
-// One work-item for C2D_PAIRS pairs, far apart, so that neighbours look at neighbours; which pair, the index strategy says.
+// One work-item for C2D_PAIRS pairs: far apart, so that neighbours look at neighbours, or, where a processor lists contacts, one after the
+// other. Which circles they are, the index strategy says.
 
 // A unit vector for two circles with one centre: fixed by their numbers, different for each pair.
 static float2 c2d_direction(int i, int j) {
@@ -40,6 +41,16 @@ static float2 c2d_translation(float4 a, float4 b, int i, int j) {
 }
 
 #if C2D_PAIRWISE
+#if !C2D_TRIANGLE
+// Lists a contact of two circles that are so near.
+static void c2d_contact(__global const float4 *circle, int2 pair, __global int4 *found, __global uint *status, uint capacity) {
+    const float2 translation = c2d_translation(circle[pair.x], circle[pair.y], pair.x, pair.y);
+    if (translation.x != 0.0f || translation.y != 0.0f) {
+        c2d_append(pair, translation, found, status, capacity);
+    }
+}
+#endif
+
 // The work-items of a slice of the pairs: first .. first + pairs - 1.
 #if C2D_TRIANGLE
 __kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global const uint *status,
@@ -52,29 +63,32 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
         return;
     }
     const c2d_index stride = (c2d_index)((pairs + C2D_PAIRS - 1) / C2D_PAIRS);
-    c2d_index item = (c2d_index)get_global_id(0);
+    const c2d_index item = (c2d_index)get_global_id(0);
     if (item >= stride) {
         return;
     }
-#if C2D_TRIANGLE || !C2D_GPU
+#if C2D_TRIANGLE
 #pragma unroll
     for (int turn = 0; turn < C2D_PAIRS; turn++) {
-        if (item < (c2d_index)pairs) {
-            const int2 pair = c2d_pair_at((c2d_index)first + item, (c2d_index)first, circles, table);
+        const c2d_index own = item + (c2d_index)turn * stride;
+        if (own < (c2d_index)pairs) {
+            const int2 pair = c2d_pair_at((c2d_index)first + own, (c2d_index)first, circles, table);
             const float2 translation = c2d_translation(circle[pair.x], circle[pair.y], pair.x, pair.y);
-#if C2D_TRIANGLE
-            collision[item] = translation;
+            collision[own] = translation;
             if (translation.x != 0.0f || translation.y != 0.0f) {
                 // the number of this step: marks of earlier ones need no clearing
-                atomic_xchg(&mark[item / C2D_BLOCK], status[C2D_UPDATES]);
+                atomic_xchg(&mark[own / C2D_BLOCK], status[C2D_UPDATES]);
             }
-#else
-            if (translation.x != 0.0f || translation.y != 0.0f) {
-                c2d_append(pair, translation, found, status, capacity);
-            }
-#endif
         }
-        item += stride;
+    }
+#elif !C2D_GPU
+    const c2d_index from = item * C2D_PAIRS;
+    const c2d_index end = min(from + C2D_PAIRS, (c2d_index)pairs);
+    for (c2d_index own = from; own < end; own++) {
+        const int2 pair = c2d_pair_at((c2d_index)first + own, (c2d_index)first, circles, table);
+        if (c2d_reaches(circle[pair.x], circle[pair.y])) {
+            c2d_contact(circle, pair, found, status, capacity);
+        }
     }
 #else
     // first all of them without a branch, which processors take longer for; a pair that is none is the first one again
@@ -93,12 +107,7 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
 #pragma unroll
     for (int turn = 0; turn < C2D_PAIRS; turn++) {
         if ((reach >> turn & 1u) != 0u) {
-            const int i = pair[turn].x;
-            const int j = pair[turn].y;
-            const float2 translation = c2d_translation(circle[i], circle[j], i, j);
-            if (translation.x != 0.0f || translation.y != 0.0f) {
-                c2d_append(pair[turn], translation, found, status, capacity);
-            }
+            c2d_contact(circle, pair[turn], found, status, capacity);
         }
     }
 #endif

@@ -60,12 +60,14 @@ final class Detect {
     private final Program program;
     private final PairTables tables;
     private final boolean triangle;
+    private final int pairsPerItem;
     private final List<Slice> slices = new ArrayList<>();
     private int circles = -1;
 
-    Detect(Session session, Program program, WorldConfig config) {
+    Detect(Session session, Program program, WorldConfig config, int pairsPerItem) {
         this.session = session;
         this.program = program;
+        this.pairsPerItem = pairsPerItem;
         tables = new PairTables(session, config);
         triangle = config.triangle();
     }
@@ -86,9 +88,7 @@ final class Detect {
                 slice.detect.arguments(state.circle, pairs, list);
             }
             slice.detect.range(
-                    (slice.pairs + Tuning.PAIRS_PER_ITEM - 1) / Tuning.PAIRS_PER_ITEM,
-                    group,
-                    Tuning.PAIRS_PER_LAUNCH / Tuning.PAIRS_PER_ITEM);
+                    (slice.pairs + pairsPerItem - 1) / pairsPerItem, group, Tuning.PAIRS_PER_LAUNCH / pairsPerItem);
         }
     }
 

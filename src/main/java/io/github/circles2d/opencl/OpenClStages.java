@@ -63,6 +63,11 @@ final class OpenClStages implements Stages {
     }
 
     /** Compiles the kernels for pair indices of 32 or 64 bits, unless they are so already. */
+    private int pairsPerItem() {
+        boolean inTurn = !session.device.asOnGpu(config) && !config.triangle();
+        return inTurn ? Tuning.PAIRS_PER_ITEM_IN_TURN : Tuning.PAIRS_PER_ITEM;
+    }
+
     private void compile(boolean wanted) {
         if (wide != null && wide == wanted) {
             return;
@@ -76,7 +81,7 @@ final class OpenClStages implements Stages {
                         "C2D_TRIANGLE", config.triangle() ? 1 : 0,
                         "C2D_PAIRWISE", config.strategy().pairwise() ? 1 : 0,
                         "C2D_BLOCK", Tuning.BLOCK,
-                        "C2D_PAIRS", Tuning.PAIRS_PER_ITEM),
+                        "C2D_PAIRS", pairsPerItem()),
                 List.of(
                         Program.file("common.cl"),
                         Map.entry(
@@ -91,7 +96,7 @@ final class OpenClStages implements Stages {
         // kernels of the old program go with the session; a world crosses this line once
         update = new Update(session, program);
         if (config.strategy().pairwise()) {
-            detect = new Detect(session, program, config);
+            detect = new Detect(session, program, config, pairsPerItem());
         } else {
             near = new Near(session, program);
         }

@@ -59,6 +59,9 @@ public final class Tuning {
     /** Pairs that a work-item of detect looks at, {@code C2D_PAIRS}. 1 to 16: on a GPU 4 are an eighth faster than 1. */
     public static final int PAIRS_PER_ITEM = 4;
 
+    /** The same where a processor lists contacts, one pair after the other. 1 to 64. */
+    public static final int PAIRS_PER_ITEM_IN_TURN = 32;
+
     /** Largest single buffer of the triangle, bytes. 2^20 to 2^30. */
     public static final long TRIANGLE_BYTES = 1L << 30;
 
