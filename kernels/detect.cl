@@ -40,17 +40,15 @@ static float2 c2d_translation(float4 a, float4 b, int i, int j) {
     return (float2)(depth * normal.x, depth * normal.y);
 }
 
-#if C2D_PAIRWISE
-#if !C2D_TRIANGLE
-// Lists a contact of two circles that are so near.
-static void c2d_contact(__global const float4 *circle, int2 pair, __global int4 *found, __global uint *status, uint capacity) {
-    const float2 translation = c2d_translation(circle[pair.x], circle[pair.y], pair.x, pair.y);
+// Lists a contact of two circles if they overlap.
+static void c2d_contact(float4 a, float4 b, int2 pair, __global int4 *found, __global uint *status, uint capacity) {
+    const float2 translation = c2d_translation(a, b, pair.x, pair.y);
     if (translation.x != 0.0f || translation.y != 0.0f) {
         c2d_append(pair, translation, found, status, capacity);
     }
 }
-#endif
 
+#if C2D_PAIRWISE
 // The work-items of a slice of the pairs: first .. first + pairs - 1.
 #if C2D_TRIANGLE
 __kernel void c2d_detect(__global const float4 *circle, __global const int2 *table, __global const uint *status,
@@ -87,7 +85,7 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
     for (c2d_index own = from; own < end; own++) {
         const int2 pair = c2d_pair_at((c2d_index)first + own, (c2d_index)first, circles, table);
         if (c2d_reaches(circle[pair.x], circle[pair.y])) {
-            c2d_contact(circle, pair, found, status, capacity);
+            c2d_contact(circle[pair.x], circle[pair.y], pair, found, status, capacity);
         }
     }
 #else
@@ -107,7 +105,7 @@ __kernel void c2d_detect(__global const float4 *circle, __global const int2 *tab
 #pragma unroll
     for (int turn = 0; turn < C2D_PAIRS; turn++) {
         if ((reach >> turn & 1u) != 0u) {
-            c2d_contact(circle, pair[turn], found, status, capacity);
+            c2d_contact(circle[pair[turn].x], circle[pair[turn].y], pair[turn], found, status, capacity);
         }
     }
 #endif

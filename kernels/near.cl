@@ -45,10 +45,7 @@ __kernel void c2d_near_find(C2D_CELLS, int circles, __global const int *nearStar
         for (int k = start; k < end; k++) {
             const int j = near[k];
             if (i < j) {
-                const float2 translation = c2d_translation(own, circle[j], i, j);
-                if (translation.x != 0.0f || translation.y != 0.0f) {
-                    c2d_append((int2)(i, j), translation, found, status, capacity);
-                }
+                c2d_contact(own, circle[j], (int2)(i, j), found, status, capacity);
             }
         }
     }

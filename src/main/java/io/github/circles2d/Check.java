@@ -59,9 +59,6 @@ final class Check {
     }
 
     private static void few(WorldConfig config, float[] circles, float[] velocities, int from, int end) {
-        if (plain(config, circles, from, end) && (velocities == null || plain(velocities, 2 * from, 2 * end))) {
-            return;
-        }
         for (int i = from; i < end; i++) {
             try {
                 circle(config, circles[4 * i], circles[4 * i + 1], circles[4 * i + 2], circles[4 * i + 3]);
@@ -72,35 +69,6 @@ final class Check {
                 throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
             }
         }
-    }
-
-    // the rules above, of circles that are as they must be; in one loop without calls a young JVM is several times as
-    // fast
-    private static boolean plain(WorldConfig config, float[] circles, int from, int end) {
-        float minX = config.minX();
-        float minY = config.minY();
-        float maxX = config.maxX();
-        float maxY = config.maxY();
-        boolean plain = true;
-        for (int k = 4 * from; k < 4 * end; k += 4) {
-            float x = circles[k];
-            float y = circles[k + 1];
-            float radius = circles[k + 2];
-            float mass = circles[k + 3];
-            plain &= x >= minX & x <= maxX & y >= minY & y <= maxY;
-            plain &= radius >= Tuning.MIN_RADIUS & radius <= Tuning.MAX_RADIUS;
-            plain &= minX + radius <= maxX - radius & minY + radius <= maxY - radius;
-            plain &= mass >= Tuning.MIN_MASS & mass <= Tuning.MAX_MASS;
-        }
-        return plain;
-    }
-
-    private static boolean plain(float[] velocities, int from, int end) {
-        boolean plain = true;
-        for (int k = from; k < end; k++) {
-            plain &= velocities[k] >= -Tuning.MAX_SPEED & velocities[k] <= Tuning.MAX_SPEED;
-        }
-        return plain;
     }
 
     private static void length(String name, float[] numbers, int wanted, String what) {

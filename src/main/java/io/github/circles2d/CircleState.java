@@ -57,8 +57,7 @@ final class CircleState implements Snapshot {
         for (int i = 0; i < more; i += Tuning.CIRCLES_A_CALL) {
             int end = Math.min(more, i + Tuning.CIRCLES_A_CALL);
             System.arraycopy(circles, 4 * i, few, 0, 4 * (end - i));
-            radii.add(few, end - i);
-            takeMasses(few, fewMasses);
+            takeMasses(few, fewMasses, end - i);
             shown.transforms().put(4 * (first + i), few, 0, 4 * (end - i));
             masses.put(first + i, fewMasses, 0, end - i);
         }
@@ -71,10 +70,11 @@ final class CircleState implements Snapshot {
         return first;
     }
 
-    /** Takes the masses out of (x, y, radius, mass) and leaves transforms. */
-    private static void takeMasses(float[] circles, float[] masses) {
-        for (int i = 0; i < masses.length; i++) {
-            masses[i] = circles[4 * i + 3];
+    /** Takes the masses out of (x, y, radius, mass) and leaves transforms; adds the radii. */
+    private void takeMasses(float[] circles, float[] to, int some) {
+        for (int i = 0; i < some; i++) {
+            radii.add(circles[4 * i + 2]);
+            to[i] = circles[4 * i + 3];
             circles[4 * i + 3] = 0;
         }
     }

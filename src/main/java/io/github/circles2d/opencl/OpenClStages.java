@@ -62,12 +62,12 @@ final class OpenClStages implements Stages {
         }
     }
 
-    /** Compiles the kernels for pair indices of 32 or 64 bits, unless they are so already. */
     private int pairsPerItem() {
         boolean inTurn = !session.device.asOnGpu(config) && !config.triangle();
         return inTurn ? Tuning.PAIRS_PER_ITEM_IN_TURN : Tuning.PAIRS_PER_ITEM;
     }
 
+    /** Compiles the kernels for pair indices of 32 or 64 bits, unless they are so already. */
     private void compile(boolean wanted) {
         if (wide != null && wide == wanted) {
             return;

@@ -19,26 +19,6 @@ public final class Radii {
         squares += (double) radius * radius;
     }
 
-    /** The same of some circles, (x, y, radius, mass) each; in one loop without calls a young JVM is faster. */
-    public void add(float[] some, int count) {
-        float least = min;
-        float most = max;
-        double total = sum;
-        double totalSquares = squares;
-        for (int k = 2; k < 4 * count; k += 4) {
-            float radius = some[k];
-            least = radius < least ? radius : least;
-            most = radius > most ? radius : most;
-            total += radius;
-            totalSquares += (double) radius * radius;
-        }
-        circles += count;
-        min = least;
-        max = most;
-        sum = total;
-        squares = totalSquares;
-    }
-
     /**
      * The circles that these are the radii of.
      *
