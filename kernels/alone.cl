@@ -29,7 +29,7 @@ __kernel C2D_ONE void c2d_alone_grid(C2D_WORLD, int allCells, __local int *sums)
     }
 }
 
-// batch.cl. What comes after `counts` is for batch_local.cl.
+// batch.cl. What comes after `counts` is for batch_local.cl and batch_place.cl.
 __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, int slots, __local uint *masks,
                               __local int *places, __local int2 *entries, __local ushort *codes, __local ushort *starts,
                               __local int *bins, __local int *rows) {
@@ -41,8 +41,7 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, 
     // in one tile, and in one part of it, in the order of the lists
     for (int k = item; k < contacts; k += items) {
         C2D_BY_TILE[k] = k;
-        C2D_BATCH[world.capacity + k] =
-            c2d_batch_code(c2d_cell(C2D_BODY[C2D_BATCH[k]], C2D_LEVEL_TABLE, world.numbers), C2D_LEVEL_TABLE);
+        C2D_CODE[k] = (ushort)c2d_batch_code(c2d_cell(C2D_BODY[C2D_BATCH[k]], C2D_LEVEL_TABLE, world.numbers), C2D_LEVEL_TABLE);
         C2D_BATCH[2 * world.capacity + k] = 0;
     }
     if (item == 0) {
@@ -53,10 +52,12 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, 
         C2D_MASK[p] = 0ul;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_batch_colour_tile(0, false, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
+    c2d_batch_colour_tile(0, (int2)(0, 0), false, stalled, C2D_LOCAL_ALL, heap, status, world, C2D_SOLVES(0));
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    c2d_batch_order_tile(0, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY, C2D_WHERE,
-                         C2D_TILE_START, C2D_SOLVES, (int2)(0, 0), stalled, true, 0, counts);
+    if (!c2d_batch_placed(C2D_SOLVES(0), stalled, world.capacity, C2D_BATCH)) {
+        c2d_batch_order_tile(0, C2D_OTHER, C2D_BY_TILE, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY, C2D_WHERE,
+                             C2D_TILE_START, C2D_SOLVES(0), (int2)(0, 0), stalled, true, 0, counts);
+    }
 }
 
 // What the end of some substeps `publishes`: nothing; that of a step, which has listed contacts or goes on with those that one before has.
@@ -72,7 +73,7 @@ __kernel C2D_ONE void c2d_alone_solve(C2D_WORLD, int publishes, __global float4 
     const int items = (int)get_local_size(0);
     const bool stalled = status[C2D_STALLED] != 0u;
     const int circles = stalled ? 0 : world.circles;
-    const int8 tile = C2D_SOLVES[0];
+    const int8 tile = *C2D_SOLVES(0);
     if (item == 0 && publishes != C2D_NOTHING_YET) {
         c2d_publish_gone(status, publishes == C2D_STEP_ON);
     }

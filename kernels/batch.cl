@@ -1,12 +1,13 @@
 // Puts the contacts in the order in which they are solved: pipeline.Tiles says which tile a contact belongs to, and within a
 // tile contacts have colours, so that those of one colour share no circle. Twin of host.Batch.
 //
-// Here contacts, and circles, go to their tiles; batch_colour.cl and batch_order.cl do the rest.
+// Here contacts, and circles, go to their tiles; batch_colour.cl and batch_order.cl do the rest, or, in the local memory of a
+// work-group, batch_local.cl and batch_place.cl.
 //
 // `batch` has three parts of `capacity` ints. By contact: its circle `owner`, in whose list it is; which of its part of its
-// tile it was counted as, and after that its code; that part. Then, in the order of solving: `solved`, of each contact its circles,
-// both or one of them (batch_order.cl); and, from the first contact of a tile on, where its colours begin. `tileStart`: the first
-// contact of each part of each tile.
+// tile it was counted as; that part. Then, in the order of solving: `solved`, of each contact its circles, both or one of them
+// (batch_order.cl); and, from the first contact of a tile on, where its colours begin.
+// `tileStart`: the first contact of each part of each tile. `code`: by contact, that of its bucket.
 
 #define C2D_SIDE s1
 #define C2D_COLUMNS s2
@@ -77,10 +78,10 @@ static int c2d_batch_code(int4 cell, __global const int8 *levels) {
 
 static int c2d_batch_classes(int levelCount) { return 9 * levelCount - 3; }
 
-// The part of contact k, of those of its tile. Its tint is, until it is coloured, the code of its bucket.
+// The part of contact k, of those of its tile.
 static int c2d_batch_part_of(int k, int contacts, __global const float8 *body, __global const int8 *levels,
                              __global const int8 *tilings, const c2d_numbers numbers, __global const int *other,
-                             __global const int *batch, __global ushort *tint) {
+                             __global const int *batch, __global ushort *code) {
     if (k >= contacts) {
         return -1;
     }
@@ -94,18 +95,18 @@ static int c2d_batch_part_of(int k, int contacts, __global const float8 *body, _
         tiling++;
         tile = c2d_tile(a, tilings[tiling]);
     } while (tile != c2d_tile(b, tilings[tiling]));
-    tint[k] = (ushort)c2d_batch_code(cell, levels);
+    code[k] = (ushort)c2d_batch_code(cell, levels);
     return c2d_batch_part(tile, a.y);
 }
 
 // Contacts 4 q to 4 q + 3; there is always room for a multiple of four.
 static void c2d_batch_count_at(int q, int contacts, __global const float8 *body, __global const int8 *levels,
                                __global const int8 *tilings, const c2d_numbers numbers, __global const int *other,
-                               int capacity, __global int *batch, __global int *tileStart, __global ushort *tint) {
+                               int capacity, __global int *batch, __global int *tileStart, __global ushort *code) {
     int4 part = (int4)(-1, -1, -1, -1);
 #pragma unroll 1
     for (int k = 4 * q; k < 4 * q + 4; k++) {
-        part = (int4)(part.y, part.z, part.w, c2d_batch_part_of(k, contacts, body, levels, tilings, numbers, other, batch, tint));
+        part = (int4)(part.y, part.z, part.w, c2d_batch_part_of(k, contacts, body, levels, tilings, numbers, other, batch, code));
     }
     ((__global int4 *)(batch + capacity))[q] = c2d_batch_turns(part, tileStart);
     ((__global int4 *)(batch + 2 * capacity))[q] = part;
@@ -128,7 +129,7 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
     for (int q = (int)get_global_id(0); 4 * q < contacts; q += (int)get_global_size(0)) {
         c2d_batch_count_at(q, contacts, C2D_BODY, C2D_LEVEL_TABLE, C2D_TILING_TABLE, world.numbers, C2D_OTHER,
-                           world.capacity, C2D_BATCH, C2D_TILE_START, C2D_TINT);
+                           world.capacity, C2D_BATCH, C2D_TILE_START, C2D_CODE);
     }
     const int circles = stalled ? 0 : world.circles;
     for (int q = (int)get_global_id(0); 4 * q < circles; q += (int)get_global_size(0)) {
@@ -142,10 +143,9 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     }
 }
 
-static void c2d_batch_fill_at(int k, int capacity, __global int *batch, __global const int *tileStart,
-                              __global int *byTile, __global const ushort *tint) {
+static void c2d_batch_fill_at(int k, int capacity, __global const int *batch, __global const int *tileStart,
+                              __global int *byTile) {
     byTile[tileStart[batch[2 * capacity + k]] + batch[capacity + k]] = k;
-    batch[capacity + k] = tint[k];
 }
 
 // The circles of a tile of the first tiling, from .x to .y of `members`.
@@ -173,7 +173,7 @@ __kernel void c2d_batch_fill(C2D_WORLD, int tiles, int tilings) {
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
 #pragma unroll 1
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE, C2D_TINT);
+        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE);
     }
     for (int p = (int)get_global_id(0); p < (stalled ? 0 : world.circles); p += (int)get_global_size(0)) {
         const int part =

@@ -7,18 +7,18 @@
 // Colours of which a circle has a mask. Whoever finds none of them free gets one beyond all that its circles have beyond
 // those, `beyond`.
 #define C2D_COLOURS 64
-// What `tint` can hold.
+// The last there is; until a contact is in order, its place in the order is the complement of its colour.
 #define C2D_COLOUR_MOST 65535
 
 #define C2D_BATCH_COLOUR                                                                                               \
     __global const int *listStart, __global const int *other, int contacts, int levelCount, __global uint *status,       \
         int capacity, __global const int *batch, __global const int *byTile, __global const int *tileStart,              \
-        __global int2 *heads, __global ulong *mask, __global int *beyond, __global ushort *tint
+        __global int2 *heads, __global ulong *mask, __global int *beyond, __global const ushort *code, __global int *where
 #define C2D_BATCH_COLOUR_ALL                                                                                           \
-    listStart, other, contacts, levelCount, status, capacity, batch, byTile, tileStart, heads, mask, beyond, tint
+    listStart, other, contacts, levelCount, status, capacity, batch, byTile, tileStart, heads, mask, beyond, code, where
 #define C2D_BATCH_COLOUR_HERE                                                                                          \
     C2D_LIST_START, C2D_OTHER, C2D_LIST_START[world.circles], C2D_LEVEL_TABLE[0].C2D_LEVELS, status, world.capacity,       \
-        C2D_BATCH, C2D_BY_TILE, C2D_TILE_START, C2D_HEADS, C2D_MASK, C2D_BEYOND, C2D_TINT
+        C2D_BATCH, C2D_BY_TILE, C2D_TILE_START, C2D_HEADS, C2D_MASK, C2D_BEYOND, C2D_CODE, C2D_WHERE
 #define C2D_BEYOND C2D_AT(int, from)
 // What is remembered is with the contacts, until they are in the order of solving.
 #define C2D_HEADS C2D_AT(int2, memory)
@@ -31,7 +31,6 @@ static bool c2d_batch_holds(int tile, int k, int capacity, __global const int *b
 // follow each other in the order of lists and have one code are of one bucket, or of several that share no circle. `clears` what
 // circles know of colours; for the first tiling that is done. By one work-group.
 static void c2d_batch_heads(int tile, bool clears, C2D_BATCH_COLOUR, __local int *count) {
-    __global const int *code = batch + capacity;
     const int first = tileStart[C2D_PARTS * tile];
     const int end = tileStart[C2D_PARTS * (tile + 1)];
     for (int e = first + (int)get_local_id(0); e < end; e += (int)get_local_size(0)) {
@@ -80,7 +79,7 @@ static void c2d_batch_colour_list(int i, int k, int end, int tile, C2D_BATCH_COL
                     status[C2D_STALLED] = C2D_TOO_DENSE;
                 }
             }
-            tint[k] = (ushort)colour;
+            where[k] = ~colour;
         }
     }
     if (used) {
@@ -90,7 +89,6 @@ static void c2d_batch_colour_list(int i, int k, int end, int tile, C2D_BATCH_COL
 
 // Those of a tile in a run, from contact k on.
 static void c2d_batch_colour_run(int k, int tile, C2D_BATCH_COLOUR) {
-    __global const int *code = batch + capacity;
     const int own = code[k];
     for (int i = batch[k]; k < contacts && code[k] == own; i++) {
         const int next = listStart[i + 1];

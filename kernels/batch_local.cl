@@ -1,27 +1,28 @@
 // Of stage batch: colours a tile as batch_colour.cl does, in the local memory of a work-group, where that is worth its while
-// and the tile fits. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
+// and the tile fits; batch_place.cl goes on from there. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
 
 // What that takes: of up to `most` contacts, entries, the codes, and which are first in their row; of up to `slots` circles, the
 // colours, up to C2D_LOCAL_COLOURS, and, unless they are `direct`, whose they are; where bins begin; how many `rows` there are, or
 // more than there can be where the tile does not fit. An entry is, in the end, the slots of the two circles, with C2D_LAST in the
-// last of a row, and the number of the contact. `direct`, of a world that is one tile: slots are places, and its contacts, in the
+// last of a row, and the colour, and the number of the contact. `direct`, of a world that is one tile: slots are places, and its contacts, in the
 // order of the lists, are in rows already. If not, slots are a power of two.
 #define C2D_LOCAL                                                                                                      \
     int most, int slots, bool direct, __local uint *masks, __local int *places, __local int2 *entries,                  \
         __local ushort *codes, __local ushort *starts, __local int *bins, __local int *rows
 #define C2D_LOCAL_ALL most, slots, direct, masks, places, entries, codes, starts, bins, rows
-#define C2D_LOCAL_COLOURS 32
-#define C2D_SLOT_BITS 15
-#define C2D_LAST (1 << 30)
+#define C2D_SLOT_BITS 12
+#define C2D_LAST (1 << 24)
+#define C2D_COLOUR_AT 25
 #define C2D_SLOT_I(entry) ((entry) & ((1 << C2D_SLOT_BITS) - 1))
 #define C2D_SLOT_J(entry) ((entry) >> C2D_SLOT_BITS & ((1 << C2D_SLOT_BITS) - 1))
+#define C2D_COLOUR(entry) ((entry) >> C2D_COLOUR_AT)
 
 // No tile has so many rows.
 #define C2D_FAILS (1 << 30)
 
 // A row: the contacts from e on that have one code. If they are of several buckets, these share no circle. The colours of the next
 // contact's circles are read before this one has its own, for one waits for the other.
-static void c2d_batch_colour_row(int e, C2D_LOCAL, __global ushort *tint) {
+static void c2d_batch_colour_row(int e, C2D_LOCAL) {
     int2 now = entries[e];
     uint own = masks[C2D_SLOT_I(now.x)];
     uint there = masks[C2D_SLOT_J(now.x)];
@@ -43,7 +44,7 @@ static void c2d_batch_colour_row(int e, C2D_LOCAL, __global ushort *tint) {
         own |= lowest;
         there |= lowest;
         masks[j] = there;
-        tint[now.y] = (ushort)(C2D_LOCAL_COLOURS - 1 - (int)clz(lowest));
+        entries[e].x = now.x | (C2D_LOCAL_COLOURS - 1 - (int)clz(lowest)) << C2D_COLOUR_AT;
         nextThere = nextJ == j ? there : nextJ == i ? own : nextThere;
         nextOwn = nextI == i ? own : nextI == j ? there : nextOwn;
         if (nextI != i || last) {
@@ -56,7 +57,7 @@ static void c2d_batch_colour_row(int e, C2D_LOCAL, __global ushort *tint) {
     } while (!last);
 }
 
-// Whether it did: a tile may have too many contacts, circles or colours. By one work-group.
+// Whether it did, for `count` contacts: a tile may have too many contacts, circles or colours. By one work-group.
 static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
@@ -79,10 +80,10 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
             entries[e].y = byTile[first + e];
         }
     } else {
-        c2d_batch_sort(count, byTile + first, batch + capacity, entries, codes, starts, bins);
+        c2d_batch_sort(count, byTile + first, code, entries, codes, starts, bins);
     }
     for (int e = item; e < count; e += items) {
-        codes[e] = (ushort)batch[capacity + entries[e].y];
+        codes[e] = code[entries[e].y];
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int e = item; e < count; e += items) {
@@ -103,7 +104,7 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     for (int class = 0; class < (all > 0 ? c2d_batch_classes(levelCount) : 0); class++) {
         for (int row = item; row < all; row += items) {
             if (C2D_CLASS(codes[starts[row]]) == class) {
-                c2d_batch_colour_row(starts[row], C2D_LOCAL_ALL, tint);
+                c2d_batch_colour_row(starts[row], C2D_LOCAL_ALL);
             }
         }
         barrier(CLK_LOCAL_MEM_FENCE);
@@ -111,31 +112,4 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     const bool done = *rows < C2D_FAILS;
     barrier(CLK_LOCAL_MEM_FENCE);
     return done;
-}
-
-// One tile, where there are contacts in it.
-static void c2d_batch_colour_tile(int tile, bool clears, bool stalled, C2D_BATCH_COLOUR, C2D_LOCAL) {
-    const bool any = !stalled && tileStart[C2D_PARTS * tile] < tileStart[C2D_PARTS * (tile + 1)];
-    if (any && !(C2D_GPU && c2d_batch_colour_local(tile, C2D_BATCH_COLOUR_ALL, C2D_LOCAL_ALL))) {
-        c2d_batch_colour_any(tile, clears, C2D_BATCH_COLOUR_ALL, rows);
-    }
-}
-
-// A tiling, one work-group a tile, on a GPU that has anything in it, going round where these are more.
-__kernel void c2d_batch_colour(C2D_WORLD, int tiling, int most, int slots, __local uint *masks, __local int *places,
-                               __local int2 *entries, __local ushort *codes, __local ushort *starts, __local int *bins,
-                               __local int *rows) {
-    const bool direct = false;
-    const bool stalled = status[C2D_STALLED] != 0u;
-    const int firstTile = C2D_TILING_TABLE[tiling].C2D_FIRST;
-    const int group = (int)get_group_id(0);
-#if C2D_GPU
-    for (int turn = group; turn < C2D_LIVE[tiling]; turn += (int)get_num_groups(0)) {
-        const int tile = C2D_LIVE[C2D_TILINGS + firstTile + turn];
-        c2d_batch_colour_tile(tile, tiling > 0, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
-        barrier(CLK_LOCAL_MEM_FENCE);
-    }
-#else
-    c2d_batch_colour_tile(firstTile + group, tiling > 0, stalled, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
-#endif
 }

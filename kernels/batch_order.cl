@@ -1,4 +1,5 @@
 // Of stage batch: puts the contacts of each tile in the order of their colours, in which they are solved. Twin of host.Batch.
+// batch_place.cl does so for tiles that are coloured in local memory.
 
 // Whether a tile fits into the local memory of a work-group. Its `solved` are then the turns of two circles in the tile, in one
 // int; else they are the places of the circles in whose lists the contacts are, and `second`, which takes the place of `byTile`, has
@@ -8,15 +9,17 @@
 #define C2D_REMEMBERED C2D_AT(const float2, found)
 
 // What solve.cl needs of a tile: its contacts, from .s0 to .s1 of `solved`, in .s4 colours; its circles, from .s2 to .s3 of `members`;
-// whether it fits, .s5. By tile, or by place in `live`.
-#define C2D_SOLVES C2D_AT(int8, solves)
+// whether it fits, .s5; whether batch_place.cl has put it in order, .s6. Where its colours begin follows then, of up to
+// C2D_LOCAL_COLOURS, until `batch` has room for that. By tile, or by place in `live`. Twin: opencl.Heap.
+#define C2D_LOCAL_COLOURS 32
+#define C2D_SOLVES(place) (C2D_AT(int8, solves) + (1 + C2D_LOCAL_COLOURS / 8) * (place))
 static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
 
 // A tile's contacts by colour, with what is `remembered` of them, by one work-group. `counts`: of so many colours, then how many
 // contacts are in order, then the lowest colour that comes later. `turn`: that of each circle in a tile that `fits`, or null where
 // it is the place.
-static void c2d_batch_order_tile(int tile, __global const int *other, __global int *byTile,
-                                 __global const ushort *tint, int capacity, __global int *batch,
+static void c2d_batch_order_tile(int tile, __global const int *other, __global int *byTile, int capacity,
+                                 __global int *batch,
                                  __global const float2 *remembered, __global float2 *memory, __global int *where,
                                  __global const int *tileStart, __global int8 *solves, int2 own, bool stalled, bool fits,
                                  __global const int *turn, __local int *counts) {
@@ -40,7 +43,7 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global i
         }
         barrier(CLK_LOCAL_MEM_FENCE);
         for (int e = first + item; e < end; e += items) {
-            const int colour = (int)tint[byTile[e]] - lowest;
+            const int colour = ~where[byTile[e]] - lowest;
             if (colour >= C2D_COLOURS) {
                 atomic_min(later, colour + lowest);
             } else if (colour >= 0) {
@@ -63,7 +66,7 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global i
         barrier(CLK_LOCAL_MEM_FENCE);
         for (int e = first + item; e < end; e += items) {
             const int k = byTile[e];
-            const int colour = (int)tint[k] - lowest;
+            const int colour = ~where[k] - lowest;
             if (colour >= 0 && colour < C2D_COLOURS) {
                 const int to = atomic_inc(&counts[colour]);
                 int pair = k;
@@ -92,6 +95,15 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global i
     }
 }
 
+// Whether batch_place.cl has put a tile in order. If so, what is left to do is done.
+static bool c2d_batch_placed(__global const int8 *solves, bool stalled, int capacity, __global int *batch) {
+    const bool placed = C2D_GPU && !stalled && solves->s6 != 0;
+    for (int c = (int)get_local_id(0); placed && c < solves->s4; c += (int)get_local_size(0)) {
+        batch[2 * capacity + solves->s0 + c] = ((__global const int *)(solves + 1))[c];
+    }
+    return placed;
+}
+
 // Where in `live` the tile is that comes at a turn, of all tilings, or -1.
 static int c2d_live_place(int turn, int tilings, __global const int8 *table, __global const int *live) {
     for (int tiling = 0; tiling < tilings; tiling++) {
@@ -114,6 +126,9 @@ static uint c2d_live_most(int tilings, __global const int *live) {
 
 static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __local int *counts) {
     const bool stalled = status[C2D_STALLED] != 0u;
+    if (c2d_batch_placed(C2D_SOLVES(place), stalled, world.capacity, C2D_BATCH)) {
+        return;
+    }
     const bool isFirst = !stalled && tile < C2D_TILING_TABLE[1].C2D_FIRST;
     const int2 own = isFirst ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
     const bool fits = own.x < own.y && c2d_fits(own.y - own.x);
@@ -121,8 +136,8 @@ static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __loc
         C2D_TURN_OF[C2D_MEMBERS[m]] = m - own.x;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
-    c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, C2D_TINT, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
-                         C2D_WHERE, C2D_TILE_START, C2D_SOLVES + place, own, stalled, fits, C2D_TURN_OF, counts);
+    c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
+                         C2D_WHERE, C2D_TILE_START, C2D_SOLVES(place), own, stalled, fits, C2D_TURN_OF, counts);
 }
 
 // All tilings, work-groups as for batch_local.cl.

@@ -22,7 +22,7 @@ static int c2d_batch_slot(int place, int slots, bool direct, __local int *places
 }
 
 // Puts the numbers of a tile's contacts into `entries`, bin by bin, those of a bin in the order of the lists.
-static void c2d_batch_sort(int count, __global const int *byTile, __global const int *code, __local int2 *entries,
+static void c2d_batch_sort(int count, __global const int *byTile, __global const ushort *code, __local int2 *entries,
                            __local ushort *codes, __local ushort *turns, __local int *bins) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
@@ -48,7 +48,7 @@ static void c2d_batch_sort(int count, __global const int *byTile, __global const
         const int k = byTile[e];
         const int to = start[C2D_BIN(code[k])] + turns[e];
         entries[to].x = k;
-        codes[to] = (ushort)code[k];
+        codes[to] = code[k];
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int e = item; e < count; e += items) {

@@ -71,7 +71,7 @@ typedef struct {
 #define C2D_BATCH C2D_AT(int, bodyBefore)
 #define C2D_BY_TILE C2D_AT(int, otherBefore)
 #define C2D_MEMBERS C2D_AT(int, idBefore)
-#define C2D_TINT C2D_AT(ushort, listStartBefore)
+#define C2D_CODE C2D_AT(ushort, listStartBefore)
 
 // `levels`, int8s: first one for all of the cells, then one a level, finest first.
 #define C2D_LEVELS s0

@@ -163,11 +163,11 @@ __kernel void c2d_solve(C2D_WORLD, int tiling, int firstTile, int begins, int ba
     const int tiles = C2D_LIVE[tiling];
     for (int turn = group; turn < tiles; turn += (int)get_num_groups(0)) {
         const int tile = firstTile + (backwards ? tiles - 1 - turn : turn);
-        c2d_solve_any(C2D_SOLVES[tile], begins, heap, status, world, bodies, places);
+        c2d_solve_any(*C2D_SOLVES(tile), begins, heap, status, world, bodies, places);
         barrier(CLK_LOCAL_MEM_FENCE);
     }
 #else
-    c2d_solve_any(C2D_SOLVES[firstTile + group], begins, heap, status, world, bodies, places);
+    c2d_solve_any(*C2D_SOLVES(firstTile + group), begins, heap, status, world, bodies, places);
 #endif
 }
 

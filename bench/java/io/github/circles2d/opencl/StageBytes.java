@@ -97,12 +97,13 @@ final class StageBytes {
             case "c2d_match" -> (4 + 4) * n + (8 + 4 + 4 + 4 + 8 + 8 + 4) * k;
             // body, turn of the circles; batch, other; turn and part, code; tileStart read and written
             case "c2d_batch_count" -> (32 + 4) * n + (4 + 4 + 8 + 2) * k + 8 * (parts + members);
-            // masks, turns read and written, body, members; turn and part, byTile, code read and written; tileStart
-            case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4 + 2 + 4) * k + 4 * (parts + members);
-            // byTile, code, owner, other; tint; as if all tiles fitted into local memory; shared out among the tilings
-            case "c2d_batch_colour" -> (4 + 4 + 4 + 4 + 2) * k / colourings;
-            // byTile, tint, batch, other, found; solved, memory, where; tileStart, solves of all tiles
-            case "c2d_batch_order" -> (4 + 2 + 4 + 4 + 8 + 4 + 8 + 4) * k + 4 * parts + 32 * tiles;
+            // masks, turns read and written, body, members; turn and part, byTile; tileStart
+            case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4) * k + 4 * (parts + members);
+            // byTile, code, owner, other, found; solved, memory, where; members; as if all tiles fitted into local memory; shared
+            // out among the tilings
+            case "c2d_batch_colour" -> ((4 + 2 + 4 + 4 + 8 + 4 + 8 + 4) * k + 4 * n) / colourings;
+            // where the tiles are that are in order
+            case "c2d_batch_order" -> 32 * tiles;
             // body read and written, kicked, members; solved, memory read and written, as
             // if all contacts were of this first tiling; what is left for the others is not known
             case Launches.FIRST_TILING -> (64 + 8 + 4) * n + (4 + 16) * k;

@@ -48,7 +48,7 @@ final class Batch {
             int most = !world.asOnGpu() ? 0 : first ? Tuning.TILE_CONTACTS : Tuning.OTHER_TILE_CONTACTS;
             int circles = Integer.highestOneBit(first ? most : 2 * most);
             colours.get(tiling)
-                    .arguments(known, tiling, local(most, circles, true))
+                    .arguments(known, tiling, tiles.tiles, local(most, circles, true))
                     .groups(tiles.count(tiling), first ? world.firstTileGroup() : world.tileGroup());
         }
         order.arguments(known, tiles.tiles, tilings, new Kernel.Local(COUNTS))

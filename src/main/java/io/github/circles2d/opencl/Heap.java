@@ -43,6 +43,9 @@ final class Heap {
     private static final int TILINGS = 13;
     static final int TILE_START = 14;
     private static final int SOLVES = 15;
+    /** Of a tile: {@code C2D_SOLVES}. */
+    private static final long SOLVES_BYTES = 32 * (1 + 32 / 8);
+
     private static final int LIVE = 16;
     private static final int PARTS = 17;
 
@@ -104,7 +107,7 @@ final class Heap {
             levelBytes += 4L * cells.table.length;
             tilingBytes += 4L * tiles.table.length;
             want(wanted, TILE_START, 4L * (tiles.parts() + 1));
-            want(wanted, SOLVES, 32L * tiles.tiles);
+            want(wanted, SOLVES, SOLVES_BYTES * tiles.tiles);
             want(wanted, LIVE, 4L * (Tiles.MOST_TILINGS + tiles.tiles));
         }
         want(wanted, LEVELS, levelBytes);
