@@ -1,11 +1,12 @@
 // Of stage batch: colours a tile as batch_colour.cl does, in the local memory of a work-group, where that is worth its while
-// and the tile fits; batch_place.cl goes on from there. A contact of a bucket waits for the one before: here a few cycles, there a way to memory and back.
+// and the tile fits; batch_place.cl goes on from there. A contact of a bucket waits for the one before: here a few cycles, there
+// a way to memory and back.
 
 // What that takes: of up to `most` contacts, entries, the codes, and which are first in their row; of up to `slots` circles, the
 // colours, up to C2D_LOCAL_COLOURS, and, unless they are `direct`, whose they are; where bins begin; how many `rows` there are, or
 // more than there can be where the tile does not fit. An entry is, in the end, the slots of the two circles, with C2D_LAST in the
-// last of a row, and the colour, and the number of the contact. `direct`, of a world that is one tile: slots are places, and its contacts, in the
-// order of the lists, are in rows already. If not, slots are a power of two.
+// last of a row, and the colour, and the number of the contact. `direct`, of a world that is one tile: slots are places, and its
+// contacts, in the order of the lists, are in rows already. If not, slots are a power of two.
 #define C2D_LOCAL                                                                                                      \
     int most, int slots, bool direct, __local uint *masks, __local int *places, __local int2 *entries,                  \
         __local ushort *codes, __local ushort *starts, __local int *bins, __local int *rows
@@ -17,7 +18,8 @@
 #define C2D_SLOT_J(entry) ((entry) >> C2D_SLOT_BITS & ((1 << C2D_SLOT_BITS) - 1))
 #define C2D_COLOUR(entry) ((entry) >> C2D_COLOUR_AT)
 
-// No tile has so many rows.
+// Rows that there is room for, unless slots are `direct`; and more than any tile has.
+#define C2D_ROWS 256
 #define C2D_FAILS (1 << 30)
 
 // A row: the contacts from e on that have one code. If they are of several buckets, these share no circle. The colours of the next
@@ -80,7 +82,7 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
             entries[e].y = byTile[first + e];
         }
     } else {
-        c2d_batch_sort(count, byTile + first, code, entries, codes, starts, bins);
+        c2d_batch_sort(count, byTile + first, code, entries, codes, bins);
     }
     for (int e = item; e < count; e += items) {
         codes[e] = code[entries[e].y];
@@ -95,7 +97,12 @@ static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
         if (i < 0 || j < 0) {
             atomic_max(rows, C2D_FAILS);
         } else if (e == 0 || codes[e - 1] != codes[e]) {
-            starts[atomic_inc(rows) & 0xFFFF] = (ushort)e;
+            const int row = atomic_inc(rows);
+            if (direct || row < C2D_ROWS) {
+                starts[row] = (ushort)e;
+            } else {
+                atomic_max(rows, C2D_FAILS);
+            }
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);

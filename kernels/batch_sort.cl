@@ -23,7 +23,7 @@ static int c2d_batch_slot(int place, int slots, bool direct, __local int *places
 
 // Puts the numbers of a tile's contacts into `entries`, bin by bin, those of a bin in the order of the lists.
 static void c2d_batch_sort(int count, __global const int *byTile, __global const ushort *code, __local int2 *entries,
-                           __local ushort *codes, __local ushort *turns, __local int *bins) {
+                           __local ushort *codes, __local int *bins) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     __local int *start = bins + C2D_BINS;
@@ -32,7 +32,7 @@ static void c2d_batch_sort(int count, __global const int *byTile, __global const
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int e = item; e < count; e += items) {
-        turns[e] = (ushort)atomic_inc(&bins[C2D_BIN(code[byTile[e]])]);
+        entries[e].y = atomic_inc(&bins[C2D_BIN(code[byTile[e]])]);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int bin = item; bin <= C2D_BINS; bin += items) {
@@ -46,7 +46,7 @@ static void c2d_batch_sort(int count, __global const int *byTile, __global const
     barrier(CLK_LOCAL_MEM_FENCE);
     for (int e = item; e < count; e += items) {
         const int k = byTile[e];
-        const int to = start[C2D_BIN(code[k])] + turns[e];
+        const int to = start[C2D_BIN(code[k])] + entries[e].y;
         entries[to].x = k;
         codes[to] = code[k];
     }

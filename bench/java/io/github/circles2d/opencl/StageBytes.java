@@ -99,7 +99,8 @@ final class StageBytes {
             case "c2d_batch_count" -> (32 + 4) * n + (4 + 4 + 8 + 2) * k + 8 * (parts + members);
             // masks, turns read and written, body, members; turn and part, byTile; tileStart
             case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4) * k + 4 * (parts + members);
-            // byTile, code, owner, other, found; solved, memory, where; members; as if all tiles fitted into local memory; shared
+            // byTile, code, owner, other, found; solved, memory, where; members; as if all tiles fitted into local
+            // memory; shared
             // out among the tilings
             case "c2d_batch_colour" -> ((4 + 2 + 4 + 4 + 8 + 4 + 8 + 4) * k + 4 * n) / colourings;
             // where the tiles are that are in order

@@ -13,6 +13,9 @@ final class Batch {
     /** {@code C2D_BINS}. */
     static final int BINS = 64;
 
+    /** {@code C2D_ROWS}. */
+    private static final int ROWS = 256;
+
     private final Session session;
     private final Program program;
     private final Kernel count;
@@ -49,7 +52,7 @@ final class Batch {
             int circles = Integer.highestOneBit(first ? most : 2 * most);
             colours.get(tiling)
                     .arguments(known, tiling, tiles.tiles, local(most, circles, true))
-                    .groups(tiles.count(tiling), first ? world.firstTileGroup() : world.tileGroup());
+                    .groups(tiles.count(tiling), first ? world.colourGroup() : world.tileGroup());
         }
         order.arguments(known, tiles.tiles, tilings, new Kernel.Local(COUNTS))
                 .groups(tiles.tiles, world.firstTileGroup());
@@ -64,7 +67,7 @@ final class Batch {
             new Kernel.Local(4L * Math.max(1, hashed ? circles : 0)),
             new Kernel.Local(8L * Math.max(1, contacts)),
             new Kernel.Local(2L * Math.max(2, contacts)),
-            new Kernel.Local(2L * Math.max(2, contacts)),
+            new Kernel.Local(2L * Math.max(2, hashed ? Math.min(contacts, ROWS) : contacts)),
             new Kernel.Local(4L * (2 * BINS + 1)),
             new Kernel.Local(4)
         };

@@ -144,6 +144,11 @@ public final class OpenClDevice implements Device {
         return group(config, Tuning.GPU_FIRST_TILE_GROUP, Tuning.CPU_TILE_GROUP);
     }
 
+    /** The same for a group that colours one. */
+    int colourGroup(WorldConfig config) {
+        return group(config, Tuning.GPU_COLOUR_GROUP, Tuning.CPU_TILE_GROUP);
+    }
+
     /** The same for a launch of one group. */
     int oneGroup(WorldConfig config) {
         return group(config, Tuning.GPU_ONE_GROUP, Tuning.CPU_ONE_GROUP);

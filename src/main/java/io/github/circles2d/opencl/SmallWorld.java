@@ -36,6 +36,11 @@ record SmallWorld(
         return device.firstTileGroup(config);
     }
 
+    /** Work-items of a group that colours one. */
+    int colourGroup() {
+        return device.colourGroup(config);
+    }
+
     /** Work-items of a launch of one group. */
     int oneGroup() {
         return device.oneGroup(config);

@@ -124,6 +124,9 @@ public final class Tuning {
     /** The same of the first tiling, whose tiles have most of the contacts. */
     public static final int GPU_FIRST_TILE_GROUP = 256;
 
+    /** The same where such a tile gets its colours: twice as many groups at a time. */
+    public static final int GPU_COLOUR_GROUP = 128;
+
     /** Registers of a work-item that solves, where a compiler can be told. 40 to 128. */
     public static final int GPU_SOLVE_REGISTERS = 56;
 
@@ -307,7 +310,7 @@ public final class Tuning {
     public static final int TILE_CIRCLES = 640;
 
     /**
-     * Contacts up to which a tile of the first tiling is coloured in local memory, on a GPU. 16 to 2,000: 12 bytes each and 8 for each of
+     * Contacts up to which a tile of the first tiling is coloured in local memory, on a GPU. 16 to 2,000: 10 bytes each and 8 for each of
      * its circles, of which there is room for the power of two up to these contacts.
      */
     public static final int TILE_CONTACTS = 1700;
