@@ -54,10 +54,9 @@ __kernel C2D_ONE void c2d_alone_batch(C2D_WORLD, __local int *counts, int most, 
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_batch_colour_tile(0, (int2)(0, 0), false, stalled, C2D_LOCAL_ALL, heap, status, world, C2D_SOLVES(0));
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    if (!c2d_batch_placed(C2D_SOLVES(0), stalled, world.capacity, C2D_BATCH)) {
-        c2d_batch_order_tile(0, C2D_OTHER, C2D_BY_TILE, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY, C2D_WHERE,
-                             C2D_TILE_START, C2D_SOLVES(0), (int2)(0, 0), stalled, true, 0, counts);
-    }
+    const bool placed = c2d_batch_placed(C2D_SOLVES(0), stalled, world.capacity, C2D_BATCH);
+    c2d_batch_order_tile(0, C2D_OTHER, C2D_BY_TILE, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY, C2D_WHERE,
+                         C2D_TILE_START, C2D_SOLVES(0), (int2)(0, 0), stalled, placed, true, 0, counts);
 }
 
 // What the end of some substeps `publishes`: nothing; that of a step, which has listed contacts or goes on with those that one before has.

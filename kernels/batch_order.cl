@@ -21,12 +21,12 @@ static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
 static void c2d_batch_order_tile(int tile, __global const int *other, __global int *byTile, int capacity,
                                  __global int *batch,
                                  __global const float2 *remembered, __global float2 *memory, __global int *where,
-                                 __global const int *tileStart, __global int8 *solves, int2 own, bool stalled, bool fits,
+                                 __global const int *tileStart, __global int8 *solves, int2 own, bool stalled, bool placed, bool fits,
                                  __global const int *turn, __local int *counts) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);
     const int first = tileStart[C2D_PARTS * tile];
-    const int end = stalled ? first : tileStart[C2D_PARTS * (tile + 1)];
+    const int end = stalled || placed ? first : tileStart[C2D_PARTS * (tile + 1)];
     __global int *solved = batch + capacity;
     __global int *colourStart = batch + 2 * capacity + first;
     __local int *sorted = counts + C2D_COLOURS;
@@ -90,7 +90,7 @@ static void c2d_batch_order_tile(int tile, __global const int *other, __global i
         solved[e] = batch[k];
         byTile[e] = other[k];
     }
-    if (item == 0) {
+    if (item == 0 && !placed) {
         *solves = (int8)(first, end, own.x, own.y, colours, fits, 0, 0);
     }
 }
@@ -126,10 +126,8 @@ static uint c2d_live_most(int tilings, __global const int *live) {
 
 static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __local int *counts) {
     const bool stalled = status[C2D_STALLED] != 0u;
-    if (c2d_batch_placed(C2D_SOLVES(place), stalled, world.capacity, C2D_BATCH)) {
-        return;
-    }
-    const bool isFirst = !stalled && tile < C2D_TILING_TABLE[1].C2D_FIRST;
+    const bool placed = c2d_batch_placed(C2D_SOLVES(place), stalled, world.capacity, C2D_BATCH);
+    const bool isFirst = !stalled && !placed && tile < C2D_TILING_TABLE[1].C2D_FIRST;
     const int2 own = isFirst ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
     const bool fits = own.x < own.y && c2d_fits(own.y - own.x);
     for (int m = own.x + (int)get_local_id(0); m < (fits ? own.y : 0); m += (int)get_local_size(0)) {
@@ -137,7 +135,7 @@ static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __loc
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
     c2d_batch_order_tile(tile, C2D_OTHER, C2D_BY_TILE, world.capacity, C2D_BATCH, C2D_REMEMBERED, C2D_MEMORY,
-                         C2D_WHERE, C2D_TILE_START, C2D_SOLVES(place), own, stalled, fits, C2D_TURN_OF, counts);
+                         C2D_WHERE, C2D_TILE_START, C2D_SOLVES(place), own, stalled, placed, fits, C2D_TURN_OF, counts);
 }
 
 // All tilings, work-groups as for batch_local.cl.

@@ -66,14 +66,12 @@ static void c2d_batch_place(int tile, int2 own, C2D_LOCAL, C2D_WORLD, __global i
 static void c2d_batch_colour_tile(int tile, int2 own, bool clears, bool stalled, C2D_LOCAL, C2D_WORLD, __global int8 *solves) {
     const bool any = !stalled && C2D_TILE_START[C2D_PARTS * tile] < C2D_TILE_START[C2D_PARTS * (tile + 1)];
     const bool fitted = C2D_GPU && any && c2d_batch_colour_local(tile, C2D_BATCH_COLOUR_HERE, C2D_LOCAL_ALL);
-    if (fitted) {
-        c2d_batch_place(tile, own, C2D_LOCAL_ALL, heap, status, world, solves);
-        return;
-    }
-    if (C2D_GPU && get_local_id(0) == 0) {
+    if (C2D_GPU && !fitted && get_local_id(0) == 0) {
         solves->s6 = 0;
     }
-    if (any) {
+    if (fitted) {
+        c2d_batch_place(tile, own, C2D_LOCAL_ALL, heap, status, world, solves);
+    } else if (any) {
         c2d_batch_colour_any(tile, clears, C2D_BATCH_COLOUR_HERE, rows);
     }
 }
