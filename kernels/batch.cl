@@ -143,11 +143,6 @@ __kernel void c2d_batch_count(C2D_WORLD, int tiles) {
     }
 }
 
-static void c2d_batch_fill_at(int k, int capacity, __global const int *batch, __global const int *tileStart,
-                              __global int *byTile) {
-    byTile[tileStart[batch[2 * capacity + k]] + batch[capacity + k]] = k;
-}
-
 // The circles of a tile of the first tiling, from .x to .y of `members`.
 static int2 c2d_members(int tile, int tiles, __global const int *tileStart) {
     const int contacts = tileStart[C2D_PARTS * tiles];
@@ -173,7 +168,8 @@ __kernel void c2d_batch_fill(C2D_WORLD, int tiles, int tilings) {
     const int contacts = stalled ? 0 : C2D_LIST_START[world.circles];
 #pragma unroll 1
     for (int k = (int)get_global_id(0); k < contacts; k += (int)get_global_size(0)) {
-        c2d_batch_fill_at(k, world.capacity, C2D_BATCH, C2D_TILE_START, C2D_BY_TILE);
+        const int part = C2D_BATCH[2 * world.capacity + k];
+        C2D_BY_TILE[C2D_TILE_START[part] + C2D_BATCH[world.capacity + k]] = k;
     }
     for (int p = (int)get_global_id(0); p < (stalled ? 0 : world.circles); p += (int)get_global_size(0)) {
         const int part =

@@ -59,7 +59,7 @@ static void c2d_batch_colour_row(int e, C2D_LOCAL) {
     } while (!last);
 }
 
-// Whether it did, for `count` contacts: a tile may have too many contacts, circles or colours. By one work-group.
+// Whether it did: a tile may have too many contacts, circles or colours. By one work-group.
 static bool c2d_batch_colour_local(int tile, C2D_BATCH_COLOUR, C2D_LOCAL) {
     const int item = (int)get_local_id(0);
     const int items = (int)get_local_size(0);

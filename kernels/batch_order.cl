@@ -13,11 +13,12 @@
 // C2D_LOCAL_COLOURS, until `batch` has room for that. By tile, or by place in `live`. Twin: opencl.Heap.
 #define C2D_LOCAL_COLOURS 32
 #define C2D_SOLVES(place) (C2D_AT(int8, solves) + (1 + C2D_LOCAL_COLOURS / 8) * (place))
-static bool c2d_fits(int circles) { return circles <= C2D_TILE_CIRCLES; }
+static bool c2d_fits(int2 own) { return own.x < own.y && own.y - own.x <= C2D_TILE_CIRCLES; }
 
 // A tile's contacts by colour, with what is `remembered` of them, by one work-group. `counts`: of so many colours, then how many
 // contacts are in order, then the lowest colour that comes later. `turn`: that of each circle in a tile that `fits`, or null where
-// it is the place.
+// it is the place. Of a tile that is `placed` already, nothing: by its loops, for PoCL 3.1 loses work-items where a barrier is in a
+// condition on what memory says.
 static void c2d_batch_order_tile(int tile, __global const int *other, __global int *byTile, int capacity,
                                  __global int *batch,
                                  __global const float2 *remembered, __global float2 *memory, __global int *where,
@@ -129,7 +130,7 @@ static void c2d_batch_order_any(int tile, int place, int tiles, C2D_WORLD, __loc
     const bool placed = c2d_batch_placed(C2D_SOLVES(place), stalled, world.capacity, C2D_BATCH);
     const bool isFirst = !stalled && !placed && tile < C2D_TILING_TABLE[1].C2D_FIRST;
     const int2 own = isFirst ? c2d_members(tile, tiles, C2D_TILE_START) : (int2)(0, 0);
-    const bool fits = own.x < own.y && c2d_fits(own.y - own.x);
+    const bool fits = c2d_fits(own);
     for (int m = own.x + (int)get_local_id(0); m < (fits ? own.y : 0); m += (int)get_local_size(0)) {
         C2D_TURN_OF[C2D_MEMBERS[m]] = m - own.x;
     }

@@ -18,7 +18,7 @@ static void c2d_batch_place(int tile, int2 own, C2D_LOCAL, C2D_WORLD, __global i
     const int items = (int)get_local_size(0);
     const int first = C2D_TILE_START[C2D_PARTS * tile];
     const int end = C2D_TILE_START[C2D_PARTS * (tile + 1)];
-    const bool fits = direct || (own.x < own.y && c2d_fits(own.y - own.x));
+    const bool fits = direct || c2d_fits(own);
     __global int *solved = C2D_BATCH + world.capacity;
     __local int *counts = bins;
     for (int c = item; c < C2D_LOCAL_COLOURS; c += items) {

@@ -100,8 +100,7 @@ final class StageBytes {
             // masks, turns read and written, body, members; turn and part, byTile; tileStart
             case "c2d_batch_fill" -> (8 + 4 + 32 + 4 + 4) * n + (8 + 4) * k + 4 * (parts + members);
             // byTile, code, owner, other, found; solved, memory, where; members; as if all tiles fitted into local
-            // memory; shared
-            // out among the tilings
+            // memory; shared out among the tilings
             case "c2d_batch_colour" -> ((4 + 2 + 4 + 4 + 8 + 4 + 8 + 4) * k + 4 * n) / colourings;
             // where the tiles are that are in order
             case "c2d_batch_order" -> 32 * tiles;
